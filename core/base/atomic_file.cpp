@@ -1,0 +1,88 @@
+#include "core/base/atomic_file.h"
+
+#include "core/base/error.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <unistd.h>
+
+namespace chiaro {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A name beside the destination that no other process and no other thread is using.
+fs::path temporaryBeside(const fs::path& destination) {
+    static std::atomic<unsigned> counter{0};
+    return destination.parent_path() / fmt::format(".{}.{}-{}{}", destination.stem().string(), ::getpid(),
+                                                   counter++, destination.extension().string());
+}
+
+Error writeError(const fs::path& path, const std::string& reason) {
+    return Error(path.string(), "could not be written (" + reason + ")",
+                 "choose a folder you may write to that has space left");
+}
+
+void flushToDisk(const fs::path& path, const fs::path& destination, int flags) {
+    const int file = ::open(path.c_str(), flags);
+    if (file < 0) throw writeError(destination, std::strerror(errno));
+    const int result = ::fsync(file);
+    const int reason = errno;
+    ::close(file);
+    if (result != 0) throw writeError(destination, std::strerror(reason));
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(fs::path destination) : m_destination(std::move(destination)) {
+    std::error_code error;
+    if (m_destination.has_parent_path()) fs::create_directories(m_destination.parent_path(), error);
+    if (error) throw writeError(m_destination, error.message());
+    if (fs::is_directory(m_destination, error)) throw writeError(m_destination, "it is a folder");
+    m_temporary = temporaryBeside(m_destination);
+}
+
+AtomicFile::~AtomicFile() {
+    std::error_code ignored;
+    if (!m_committed) fs::remove(m_temporary, ignored);
+}
+
+void AtomicFile::commit() {
+    flushToDisk(m_temporary, m_destination, O_RDONLY);
+    std::error_code error;
+    fs::rename(m_temporary, m_destination, error);
+    if (error) throw writeError(m_destination, error.message());
+    m_committed = true;
+}
+
+void writeFileAtomically(const fs::path& path, std::string_view bytes) {
+    AtomicFile file(path);
+    std::ofstream stream(file.temporaryPath(), std::ios::binary);
+    stream.write(bytes.data(), std::streamsize(bytes.size()));
+    stream.close();
+    if (!stream) throw writeError(path, std::strerror(errno));
+    file.commit();
+}
+
+std::string readFile(const fs::path& path, std::uintmax_t limit) {
+    std::error_code error;
+    if (!fs::exists(path, error)) throw Error(path.string(), "no such file", "check the name and the folder");
+    if (!fs::is_regular_file(path, error)) throw Error(path.string(), "is not a file", "name a file");
+    const std::uintmax_t size = fs::file_size(path, error);
+    if (error || size > limit)
+        throw Error(path.string(), fmt::format("is {} MB large", size >> 20),
+                    fmt::format("at most {} MB are read", limit >> 20));
+    std::string bytes(std::size_t(size), '\0');
+    std::ifstream stream(path, std::ios::binary);
+    stream.read(bytes.data(), std::streamsize(size));
+    if (!stream) throw Error(path.string(), "could not be read", "check its permissions");
+    return bytes;
+}
+
+}  // namespace chiaro

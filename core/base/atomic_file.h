@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string_view>
+
+namespace chiaro {
+
+/// A file that appears whole or not at all: it is written beside its destination under another name, checked,
+/// flushed to the disk and then renamed over the destination. Destroyed uncommitted, it leaves nothing
+/// behind.
+class AtomicFile {
+public:
+    /// Creates the destination's folder when it is missing. Throws Error when that can't be done.
+    explicit AtomicFile(std::filesystem::path destination);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    /// Where to write meanwhile: the same folder, the same extension.
+    const std::filesystem::path& temporaryPath() const { return m_temporary; }
+    /// Flushes to the disk and renames. Throws Error naming the destination; the old file is then intact.
+    void commit();
+
+private:
+    std::filesystem::path m_destination;
+    std::filesystem::path m_temporary;
+    bool m_committed = false;
+};
+
+/// Writes the bytes as an AtomicFile, every write checked. Throws Error naming the path.
+void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// Reads a whole file of at most `limit` bytes. Throws Error when it is missing, no file, or larger.
+std::string readFile(const std::filesystem::path& path, std::uintmax_t limit);
+
+}  // namespace chiaro

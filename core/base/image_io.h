@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/base/image.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace chiaro {
+
+/// A decoded picture: 1..4 channels of float a pixel, interleaved, upright (EXIF orientation applied).
+struct DecodedImage {
+    int width = 0;
+    int height = 0;
+    int channels = 0;           ///< 1 grey, 2 grey + alpha, 3 RGB, 4 RGB + alpha
+    bool linear = false;        ///< the values are scene-linear (EXR), else display-referred in [0, 1]
+    std::vector<float> values;  ///< width * height * channels, row after row; alpha is not premultiplied
+};
+
+/// What a picture may be before a pixel of it is decoded.
+struct ImageLimits {
+    int maximumSide = 32768;                ///< pixels
+    std::uint64_t maximumPixels = 1 << 28;  ///< pixels; a decoded picture takes 4 to 16 bytes for each
+};
+
+/// Reads PNG, JPEG, TIFF, OpenEXR or WebP; the content decides the format, not the name. The first picture of
+/// an animated or layered file. Palettes become RGB, CMYK becomes RGB. Non-finite values are refused. Throws
+/// Error naming the file when it is missing, of another format, damaged, truncated, or beyond the limits.
+DecodedImage readImage(const std::filesystem::path& path, const ImageLimits& limits = {});
+
+/// Entries written into the picture's metadata: what made it (version, command, parameters).
+using ImageMetadata = std::map<std::string, std::string>;
+
+/// Bits a channel of integer formats; EXR holds float whatever this says.
+enum class PixelDepth { Bits8, Bits16 };
+
+/// What the file looks like afterwards is decided by the extension: .png, .tif, .tiff, .jpg, .jpeg, .webp
+/// hold display-referred values clipped to [0, 1]; .exr holds 32-bit float as given (pass linear values for a
+/// picture). Written atomically. Throws Error naming the path when the extension is another one or the disk
+/// refuses.
+void writeImage(const std::filesystem::path& path, const ColorImage& image,
+                const ImageMetadata& metadata = {}, PixelDepth depth = PixelDepth::Bits8);
+void writeImage(const std::filesystem::path& path, const ColorAlphaImage& image,
+                const ImageMetadata& metadata = {}, PixelDepth depth = PixelDepth::Bits8);
+void writeImage(const std::filesystem::path& path, const ScalarImage& image,
+                const ImageMetadata& metadata = {}, PixelDepth depth = PixelDepth::Bits8);
+/// Ids as they are, in 8 bits when all fit and 16 otherwise. PNG or TIFF.
+void writeImage(const std::filesystem::path& path, const IdImage& image, const ImageMetadata& metadata = {});
+
+/// True for a path whose extension writeImage takes.
+bool isWritableImage(const std::filesystem::path& path);
+
+}  // namespace chiaro

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/base/image.h"
+#include "core/base/parameters.h"
+#include "core/base/task.h"
+#include "core/gradient/color_path.h"
+#include "core/gradient/speed_curve.h"
+
+#include <vector>
+
+namespace chiaro::gradient {
+
+/// W colours along the strip, dark end first; display-referred RGB in [0, 1].
+using Gradient = std::vector<glm::vec3>;
+
+/// Mean RGB of each column (§3.1), summed in double.
+Gradient columnAverages(const ColorImage& strip);
+
+/// The gradient sort (§3.1): the column indices it keeps, in order; first 0, last W - 1. `searchScale` in [1,
+/// 4] enlarges the sphere that is searched around the midpoint. Deterministic; ties go to the smaller column.
+std::vector<int> sortColumns(const Gradient& averages, double searchScale);
+
+/// The colours resampled linearly to `count`, end on end.
+Gradient resample(const Gradient& colors, int count);
+
+/// The colour at u in [0, 1], linear between the W entries; 0 is the first, 1 the last. NaN gives the first.
+glm::vec3 lookUp(const Gradient& gradient, float u);
+
+struct GradientParams {
+    double searchScale = 1;  ///< of the gradient sort, 1..4
+    bool matchSpeed = true;  ///< fit the speed curve to the column averages; else `curve` is used
+    SpeedCurve curve;        ///< u(x), drawn by the artist
+    static const ParameterTable<GradientParams>& table();  ///< all but the curve
+    friend bool operator==(const GradientParams&, const GradientParams&) = default;
+};
+
+/// A strip taken apart (§3): strip = clip(texture + gradient) to within 1e-6.
+struct Separation {
+    Gradient averages;       ///< W column averages
+    std::vector<int> order;  ///< the columns that the sort kept, K <= W
+    Gradient sorted;         ///< the kept colours resampled to W: G
+    SpeedCurve curve;        ///< the speed curve used, matched or drawn
+    Gradient gradient;       ///< W colours G(u(x))
+    ColorImage texture;      ///< D = S - G(u(x)), in [-1, 1], as large as the strip
+    double residue = 0;      ///< RMS over columns and channels of averages minus gradient
+};
+
+/// Separates colour from texture (§3.1, §3.2). Deterministic. Throws Cancelled.
+Separation separate(const ColorImage& strip, const GradientParams& params = {}, const Task& task = {});
+
+/// S' = clip(D + G'): the texture over another gradient of as many colours as it has columns (§3.2).
+ColorImage recolored(const ColorImage& texture, const Gradient& gradient);
+
+}  // namespace chiaro::gradient

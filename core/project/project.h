@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/gradient/gradient.h"
+#include "core/methods/view_aligned.h"
+#include "core/sample/strip.h"
+#include "core/scene/scene.h"
+#include "core/synthesis/levels.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace chiaro::project {
+
+/// A paint sample of a project: where its scan is and what the artist made of it.
+struct Sample {
+    std::string name;
+    std::filesystem::path scan;  ///< absolute once loaded
+    sample::StripParams strip;
+    gradient::GradientParams gradient;
+    std::optional<gradient::ColorPath> recoloring;  ///< replaces the sample's own gradient when set
+    friend bool operator==(const Sample&, const Sample&) = default;
+};
+
+/// One object of a mesh file.
+struct ObjectSettings {
+    std::string name;  ///< of the file's object that this is
+    int sample = 0;    ///< index into Project::samples
+    bool visible = true;
+    glm::mat4 transform{1};
+    friend bool operator==(const ObjectSettings&, const ObjectSettings&) = default;
+};
+
+/// What a .chiaro file holds: plain values. Derived data (strips, levels, meshes) is never in it.
+struct Project {
+    static constexpr int version = 1;
+    std::vector<Sample> samples;
+    std::filesystem::path mesh;           ///< absolute once loaded; empty without a mesh
+    std::vector<ObjectSettings> objects;  ///< objects of the file that are not named here wear sample 0
+    std::vector<scene::Light> lights{scene::Light{}};
+    scene::Camera camera;  ///< target and radius are taken from the scene when it is framed
+    std::string method = "view-aligned";
+    synthesis::LevelParams levels;
+    methods::ViewAlignedParams viewAligned;
+    friend bool operator==(const Project&, const Project&) = default;
+};
+
+/// Reads a project; its relative paths are resolved against its folder. Throws Error naming the file and what
+/// in it is wrong.
+Project readProject(const std::filesystem::path& path);
+/// Writes atomically, paths relative to the file's folder, keys in a fixed order. Throws Error; the old file
+/// is then intact.
+void writeProject(const std::filesystem::path& path, const Project& project);
+
+/// The scene of a loaded model with the project's settings applied.
+scene::Scene makeScene(const Project& project, const std::vector<std::shared_ptr<const scene::Mesh>>& meshes);
+
+}  // namespace chiaro::project

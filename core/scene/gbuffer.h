@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/base/image.h"
+#include "core/base/task.h"
+#include "core/scene/scene.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace chiaro::scene {
+
+/// What one ray met.
+struct SurfaceSample {
+    std::uint16_t object = 0;  ///< 1.., 0 is nothing
+    float light = 0;           ///< L in [0, 1]
+};
+
+/// What each pixel's centre sees (§4.1: guide and object ids), and finer samples where a silhouette or an
+/// object border crosses a pixel.
+struct GBuffer {
+    int width = 0;
+    int height = 0;
+    ScalarImage light;              ///< L in [0, 1], -1 outside
+    IdImage objectId;               ///< 0 outside, 1.. the object
+    Image<std::uint32_t> faceId;    ///< index in the object's mesh; 0xFFFFFFFF outside
+    Image<glm::vec2> barycentrics;  ///< weights of the triangle's second and third vertex
+    ScalarImage depth;              ///< distance along the view direction, world units; infinity outside
+    ColorImage normal;              ///< world space, unit, towards the eye; 0 outside
+
+    /// Pixels that several surfaces share, in raster order, each with `samplesPerEdge` samples on a fixed
+    /// pattern. A final picture averages the shaded samples there; elsewhere the centre speaks for the whole
+    /// pixel.
+    static constexpr int samplesPerEdge = 16;
+    std::vector<std::uint32_t> edgePixels;   ///< y * width + x
+    std::vector<SurfaceSample> edgeSamples;  ///< edgePixels.size() * samplesPerEdge
+};
+
+/// The scene's acceleration structure (Embree). Immutable once built; casts from any thread.
+class RayScene {
+public:
+    /// Throws Cancelled.
+    explicit RayScene(const Scene& scene, const Task& task = {});
+    ~RayScene();
+    RayScene(RayScene&&) noexcept;
+    RayScene& operator=(RayScene&&) noexcept;
+
+    struct Impl;
+    const Impl& impl() const { return *m_impl; }
+
+private:
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// Casts the G-buffer of a view, 1..16384 pixels a side, rows in parallel; the bytes do not depend on the
+/// threads. Lights may differ from those the RayScene was built with. Throws Cancelled.
+GBuffer castGBuffer(const RayScene& rays, const std::vector<Light>& lights, const Camera& camera, int width,
+                    int height, const Task& task = {});
+
+}  // namespace chiaro::scene

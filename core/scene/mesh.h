@@ -1,0 +1,40 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace chiaro::scene {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// An indexed triangle list: the truth about a mesh, whatever its topology (open, disconnected,
+/// non-manifold).
+struct Mesh {
+    std::string name;
+    std::vector<glm::vec3> positions;  ///< finite
+    std::vector<glm::vec3> normals;    ///< one a position, unit length; split vertices keep creases
+    std::vector<Triangle>
+        triangles;  ///< counter-clockwise seen from the front; indices below positions.size()
+};
+
+struct Bounds {
+    glm::vec3 minimum{0};
+    glm::vec3 maximum{0};
+    glm::vec3 center() const { return (minimum + maximum) * 0.5f; }
+    float radius() const { return glm::length(maximum - minimum) * 0.5f; }
+};
+
+/// Bounds of the vertices that triangles use. Throws nothing; an empty mesh has zero bounds.
+Bounds boundsOf(const Mesh& mesh);
+
+/// For each position the smallest index of a position equal to it: vertices that are one in space.
+std::vector<std::uint32_t> weldedIndices(const Mesh& mesh);
+
+/// Angle-weighted vertex normals over welded positions. Vertices of zero-area faces only get (0, 0, 1).
+std::vector<glm::vec3> angleWeightedNormals(const Mesh& mesh);
+
+}  // namespace chiaro::scene

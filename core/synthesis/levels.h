@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/base/image.h"
+#include "core/base/parameters.h"
+#include "core/base/task.h"
+#include "core/synthesis/quilting.h"
+
+#include <vector>
+
+namespace chiaro::synthesis {
+
+enum class Tiling {
+    Mask,
+    Seam
+};  ///< the report's circular mask, or wrap-around quilting with a seam cut (§4.2)
+enum class LevelBase {
+    Section,
+    Gradient
+};  ///< what is subtracted from the strip: a section's average, or G(u(x))
+
+struct LevelParams {
+    int count = 8;   ///< sections of the strip, 2..32
+    int size = 512;  ///< a level's side n, 64..2048 px
+    Tiling tiling = Tiling::Seam;
+    LevelBase base = LevelBase::Gradient;
+    QuiltParams quilt;
+    static const ParameterTable<LevelParams>& table();  ///< all but `quilt`
+    friend bool operator==(const LevelParams&, const LevelParams&) = default;
+};
+
+/// The slices of the 3D texture (§4.2), darkest first: square difference images in [-1, 1] that tile without
+/// a seam.
+struct LevelStack {
+    std::vector<ColorImage> levels;
+    QuiltReport report;  ///< over all levels
+};
+
+/// Quilts a level from each section of the strip. `strip` is W x H in [0, 1]; `gradient` its W colours
+/// G(u(x)). Levels are made in parallel; the bytes depend only on the inputs, never on the threads. Throws
+/// Error when a section can't hold a block, Cancelled when the task was.
+LevelStack makeLevels(const ColorImage& strip, const std::vector<glm::vec3>& gradient,
+                      const LevelParams& params, const Task& task = {});
+
+}  // namespace chiaro::synthesis

@@ -1,0 +1,40 @@
+#include "tests/support/support.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace chiaro::test {
+
+namespace fs = std::filesystem;
+
+fs::path resource(const std::string& relative) {
+    return fs::path(CHIARO_TEST_RESOURCES) / relative;
+}
+
+fs::path sharedData() {
+    return fs::path(CHIARO_TEST_DATA);
+}
+
+bool haveSharedData() {
+    return fs::is_directory(sharedData());
+}
+
+std::vector<fs::path> filesIn(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+TemporaryFolder::TemporaryFolder() {
+    std::string pattern = (fs::temp_directory_path() / "chiaro-test-XXXXXX").string();
+    m_path = mkdtemp(pattern.data());
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(m_path, ignored);
+}
+
+}  // namespace chiaro::test
