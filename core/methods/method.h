@@ -22,4 +22,7 @@ struct Frame {
 Frame shade(const scene::GBuffer& gbuffer, const std::vector<const gradient::Gradient*>& gradients,
             const TextureLookup& texture, const Task& task = {});
 
+/// The picture over an opaque background.
+ColorImage over(const ColorAlphaImage& picture, glm::vec3 background);
+
 }  // namespace chiaro::methods

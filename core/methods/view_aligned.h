@@ -25,24 +25,29 @@ struct TexturePlacement {
 
 /// A pose of an object in a view, from which its screen motion is measured.
 struct ObjectView {
-    glm::mat4 objectToClip{1};  ///< projection * view * transform
     glm::mat4 objectToView{1};
-    int width = 0;  ///< viewport, pixels
+    glm::mat4 projection{1};  ///< view to OpenGL clip space
+    int width = 0;            ///< viewport, pixels
     int height = 0;
 };
 
-/// The placement after the object moved from one view to the next: the offset grows by the mean screen
-/// displacement of the tenth of the visible vertices with the largest n.v (§4.2), the zoom by the change of
-/// projected size.
+/// The placement after the object moved from one view to the next (§4.2): the offset grows by the mean screen
+/// displacement of the tenth of the vertices in view with the largest n.v; hidden ones count too. Zoom is the
+/// change of projected size at those vertices; with followZoom the texture is scaled about their mean, so it
+/// does not slide. A mesh of more than 16,384 vertices is represented by an even sample of them. An object
+/// out of view keeps its placement.
 TexturePlacement follow(const TexturePlacement& placement, const scene::Mesh& mesh, const ObjectView& before,
-                        const ObjectView& after);
+                        const ObjectView& after, const ViewAlignedParams& params);
 
-/// Octave cross-fade of a zoom: texel scale of the finer and the coarser octave, and the weight of the
-/// coarser in [0, 1].
+/// The two octaves of the texture that a zoom cross-fades. Zooming in by 2 magnifies the first from its own
+/// size to twice that, while the second, twice as fine, fades in and ends as the first did: no jump, strokes
+/// keep their size.
 struct ZoomOctaves {
-    float scale = 1;  ///< texture pixels per screen pixel of the first octave, before density
-    float nextScale = 0.5f;
-    float weight = 0;  ///< of the second
+    float scale = 1;  ///< texture pixels per screen pixel of the first octave, before density; in (0.5, 1]
+    float nextScale = 2;  ///< of the second
+    float weight = 0;     ///< of the first, and
+    float nextWeight =
+        0;  ///< of the second: their squares add up to 1, which keeps the contrast of zero-mean textures
 };
 ZoomOctaves zoomOctaves(float zoom);
 
@@ -53,12 +58,14 @@ struct ViewAlignedPaint {
     TexturePlacement placement;
 };
 
-/// The texture at screen position (x, y) in pixels and light in [0, 1]: trilinear in the stack; s, t repeat,
-/// levels clamp (§4.2).
+/// The texture at screen position (x, y) in pixels and light in [0, 1] (§4.2): s, t = (position - offset) *
+/// density / n, r = light; trilinear, s and t repeat, level i is centred at (i + 0.5) / count and the ends
+/// are clamped. Where more than one texel falls on a pixel, 2 x 2 taps (4 x 4 above two) spread evenly over
+/// the pixel's texels are averaged.
 glm::vec3 viewAlignedTexture(const ViewAlignedPaint& paint, const ViewAlignedParams& params,
                              glm::vec2 position, float light);
 
-/// The CPU reference picture; paints[k - 1] belongs to object k. Deterministic.
+/// The CPU reference picture; paints[k - 1] belongs to object k. Deterministic. Throws Cancelled.
 Frame renderViewAligned(const scene::GBuffer& gbuffer, const std::vector<ViewAlignedPaint>& paints,
                         const ViewAlignedParams& params, const Task& task = {});
 
