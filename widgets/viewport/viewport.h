@@ -1,0 +1,88 @@
+#pragma once
+
+#include "core/gradient/gradient.h"
+#include "core/methods/view_aligned.h"
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
+#include "core/synthesis/levels.h"
+
+#include <QImage>
+#include <QWidget>
+
+#include <memory>
+#include <vector>
+
+namespace chiaro::widgets {
+
+/// What one paint sample gives the viewport. Shared immutable snapshots.
+struct ViewportPaint {
+    std::shared_ptr<const synthesis::LevelStack> levels;  ///< null: G(L) alone is shown
+    gradient::Gradient gradient;                          ///< empty: a plain grey
+};
+
+/// The scene, live (§4.2): turned, panned, zoomed and lit with the mouse. A frame that holds the OpenGL view,
+/// or the CPU renderer's pictures where there is no OpenGL. It knows core's types, never the document.
+///
+/// What the setters give is kept here, so the picture survives a new OpenGL context (a floated dock makes
+/// one). Every setter takes effect with the next frame; none synthesises anything.
+class Viewport : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit Viewport(QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    /// False: the CPU renderer's pictures are shown, and a note over the picture says so.
+    bool usesOpenGl() const;
+
+    /// Meshes are shared snapshots: only those that changed are uploaded. An object that was there before
+    /// (the same mesh under the same name) keeps its place on the texture. Takes the scene's lights as well.
+    void setScene(const scene::Scene& scene);
+    void setLights(const std::vector<scene::Light>& lights);
+    void setCamera(const scene::Camera& camera);
+    const scene::Camera& camera() const;
+
+    /// `sample` is the index that scene::Object::sample names.
+    void setPaint(int sample, ViewportPaint paint);
+    /// Another gradient over the same texture, in the next frame.
+    void setGradient(int sample, const gradient::Gradient& gradient);
+    void setParams(const methods::ViewAlignedParams& params);
+
+    /// Which mouse gestures turn, pan and zoom; see navigation.h. A plain left drag turns in all of them.
+    enum class Navigation { Blender, Maya, Trackpad };
+    void setNavigation(Navigation navigation);
+    /// Display-referred RGB in [0, 1].
+    void setBackground(glm::vec3 color);
+    /// Fits all visible objects (Home); cameraEdited follows.
+    void frameAll();
+
+    /// The scene as shown, in device pixels, without what lies over it (light sphere, note). Where the CPU
+    /// renders, waits for the fine picture.
+    QImage picture() const;
+    /// Where each object's texture lies, as followed through all moves so far; device pixels.
+    std::vector<methods::TexturePlacement> placements() const;
+
+Q_SIGNALS:
+    void cameraEdited(const scene::Camera& camera);  ///< after every navigation step
+    void lightEdited(int light, glm::vec3 vector);   ///< while a drag turns the light
+    void lightEditFinished();                        ///< the drag ended
+    void frameDrawn(double milliseconds);            ///< a frame was drawn; how long that took
+    void filesDropped(const QStringList& paths);     ///< local files, dragged from outside
+
+protected:
+    bool event(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m;
+};
+
+}  // namespace chiaro::widgets
