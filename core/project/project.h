@@ -39,7 +39,9 @@ struct Project {
     std::filesystem::path mesh;           ///< absolute once loaded; empty without a mesh
     std::vector<ObjectSettings> objects;  ///< objects of the file that are not named here wear sample 0
     std::vector<scene::Light> lights{scene::Light{}};
-    scene::Camera camera;  ///< target and radius are taken from the scene when it is framed
+    bool frameCamera = true;  ///< aim the camera at the whole scene when it is opened; its target and radius
+                              ///< are then not saved
+    scene::Camera camera;
     std::string method = "view-aligned";
     synthesis::LevelParams levels;
     methods::ViewAlignedParams viewAligned;
@@ -52,8 +54,5 @@ Project readProject(const std::filesystem::path& path);
 /// Writes atomically, paths relative to the file's folder, keys in a fixed order. Throws Error; the old file
 /// is then intact.
 void writeProject(const std::filesystem::path& path, const Project& project);
-
-/// The scene of a loaded model with the project's settings applied.
-scene::Scene makeScene(const Project& project, const std::vector<std::shared_ptr<const scene::Mesh>>& meshes);
 
 }  // namespace chiaro::project

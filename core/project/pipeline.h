@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/base/task.h"
+#include "core/project/project.h"
+#include "core/scene/mesh_io.h"
+
+#include <memory>
+#include <vector>
+
+namespace chiaro::project {
+
+/// What one sample becomes on its way from the scan to the brush.
+struct Paint {
+    ColorImage strip;
+    gradient::Separation separation;
+    gradient::Gradient shown;  ///< the artist's recolouring, or else the sample's own gradient G(u(x))
+    synthesis::LevelStack levels;
+};
+
+/// The gradient that pictures show for a sample.
+gradient::Gradient shownGradient(const Sample& sample, const gradient::Separation& separation);
+
+/// Scan, strip, separation and level stack of a sample. Throws Error, Cancelled.
+Paint preparePaint(const Sample& sample, const synthesis::LevelParams& levels, const Task& task = {});
+
+/// The scene of a loaded model with the project's settings applied: objects are matched by name; those that
+/// the project does not name wear its first sample.
+scene::Scene makeScene(const Project& project, const std::vector<std::shared_ptr<const scene::Mesh>>& meshes);
+
+/// The project's camera, aimed at the scene when the project says so.
+scene::Camera cameraFor(const Project& project, const scene::Scene& scene);
+
+}  // namespace chiaro::project

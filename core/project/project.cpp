@@ -1,0 +1,211 @@
+#include "core/project/project.h"
+
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
+#include "core/project/json_reader.h"
+
+#include <nlohmann/json.hpp>
+#include <spdlog/fmt/fmt.h>
+
+namespace chiaro::project {
+
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::uintmax_t largestFile = 64 << 20;
+
+/// The shortest decimal that reads back as this float: 0.1, not 0.10000000149.
+double tidy(float value) {
+    return std::stod(fmt::format("{}", value));
+}
+
+template <int N>
+Json jsonFromVector(const glm::vec<N, float>& vector) {
+    Json json = Json::array();
+    for (int i = 0; i < N; ++i) json.push_back(tidy(vector[i]));
+    return json;
+}
+
+template <class Params>
+Json jsonFromParams(const Params& params) {
+    return Json::parse(parametersToJson(params).dump());
+}
+
+Json jsonFromSample(const Sample& sample, const fs::path& folder) {
+    Json json;
+    json["name"] = sample.name;
+    json["scan"] = sample.scan.lexically_proximate(folder).generic_string();
+    json["strip"] = jsonFromParams(sample.strip);
+    for (const glm::vec2& corner : sample.strip.crop) json["strip"]["crop"].push_back(jsonFromVector(corner));
+    json["gradient"] = jsonFromParams(sample.gradient);
+    for (const glm::vec2& point : sample.gradient.curve.points)
+        json["gradient"]["curve"].push_back(jsonFromVector(point));
+    if (!sample.recoloring) return json;
+    json["recoloring"]["space"] =
+        sample.recoloring->space == gradient::ColorPath::Space::Oklab ? "oklab" : "rgb";
+    for (const gradient::ColorStop& stop : sample.recoloring->stops)
+        json["recoloring"]["stops"].push_back(
+            {{"position", tidy(stop.position)}, {"color", jsonFromVector(stop.color)}});
+    return json;
+}
+
+Json jsonFromObject(const ObjectSettings& object) {
+    Json json{{"name", object.name}, {"sample", object.sample}, {"visible", object.visible}};
+    if (object.transform == glm::mat4(1)) return json;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) json["transform"].push_back(tidy(object.transform[column][row]));
+    return json;
+}
+
+Json jsonFromCamera(const Project& project) {
+    const scene::Camera& camera = project.camera;
+    Json json{{"azimuth", tidy(camera.azimuth)},
+              {"elevation", tidy(camera.elevation)},
+              {"distance", tidy(camera.distance)},
+              {"field-of-view", tidy(camera.fieldOfView)}};
+    if (project.frameCamera) return json;
+    json["target"] = jsonFromVector(camera.target);
+    json["radius"] = tidy(camera.radius);
+    return json;
+}
+
+gradient::ColorPath readColorPath(const JsonReader& reader) {
+    gradient::ColorPath path;
+    const std::string space = reader.has("space") ? reader.text("space") : "rgb";
+    if (space != "rgb" && space != "oklab") throw reader.wrong("space", "\"rgb\" or \"oklab\"");
+    path.space = space == "oklab" ? gradient::ColorPath::Space::Oklab : gradient::ColorPath::Space::Rgb;
+    for (const JsonReader& stop : reader.children("stops")) {
+        gradient::ColorStop& added = path.stops.emplace_back();
+        stop.read("position", added.position, 0, 1);
+        stop.read("color", added.color);
+        added.color = glm::clamp(added.color, 0.0f, 1.0f);
+    }
+    if (path.stops.empty()) throw reader.wrong("stops", "at least one stop");
+    std::stable_sort(path.stops.begin(), path.stops.end(),
+                     [](const auto& a, const auto& b) { return a.position < b.position; });
+    return path;
+}
+
+Sample readSample(const JsonReader& reader, const fs::path& folder) {
+    Sample sample;
+    sample.name = reader.text("name");
+    sample.scan = (folder / reader.text("scan")).lexically_normal();
+    if (reader.has("strip")) {
+        const JsonReader strip = reader.child("strip");
+        strip.params(sample.strip);
+        if (strip.has("crop")) {
+            const std::vector<glm::vec2> corners = strip.points("crop");
+            if (corners.size() != 4) throw strip.wrong("crop", "four corners");
+            std::copy(corners.begin(), corners.end(), sample.strip.crop.begin());
+        }
+    }
+    if (reader.has("gradient")) {
+        const JsonReader gradient = reader.child("gradient");
+        gradient.params(sample.gradient);
+        if (gradient.has("curve")) {
+            sample.gradient.curve.points = gradient.points("curve");
+            sample.gradient.curve.sampled(2);  // refuses points that make no monotone curve
+        }
+    }
+    if (reader.has("recoloring")) sample.recoloring = readColorPath(reader.child("recoloring"));
+    return sample;
+}
+
+ObjectSettings readObject(const JsonReader& reader, std::size_t samples) {
+    ObjectSettings object;
+    object.name = reader.text("name");
+    reader.read("sample", object.sample, 0, int(samples) - 1);
+    reader.read("visible", object.visible);
+    reader.read("transform", object.transform);
+    return object;
+}
+
+scene::Light readLight(const JsonReader& reader) {
+    scene::Light light;
+    if (reader.has("kind") && reader.text("kind") != "directional")
+        throw reader.wrong("kind", "\"directional\"");
+    reader.read("vector", light.vector);
+    if (glm::length(light.vector) == 0) throw reader.wrong("vector", "a direction that is not zero");
+    reader.read("intensity", light.intensity, 0, 4);
+    reader.read("wrap", light.wrap);
+    return light;
+}
+
+void readCamera(const JsonReader& reader, Project& project) {
+    scene::Camera& camera = project.camera;
+    reader.read("azimuth", camera.azimuth, -1e6, 1e6);
+    reader.read("elevation", camera.elevation, -90, 90);
+    reader.read("distance", camera.distance, 0.01, 100);
+    reader.read("field-of-view", camera.fieldOfView, 1, 120);
+    project.frameCamera = !reader.has("target");
+    reader.read("target", camera.target);
+    reader.read("radius", camera.radius, 1e-9, 1e9);
+}
+
+Project projectFromJson(const Json& json, const fs::path& path) {
+    const JsonReader reader(json, path.string());
+    int version = 0;
+    reader.at("chiaro");
+    reader.read("chiaro", version, 1, 1 << 30);
+    if (version > Project::version)
+        throw Error(path.string(), fmt::format("was written by a newer Chiaro (format {})", version),
+                    fmt::format("this one reads format {}", Project::version));
+    const fs::path folder = fs::absolute(path).parent_path();
+    Project project;
+    for (const JsonReader& sample : reader.children("samples"))
+        project.samples.push_back(readSample(sample, folder));
+    if (reader.has("mesh")) project.mesh = (folder / reader.text("mesh")).lexically_normal();
+    if (reader.has("objects"))
+        for (const JsonReader& object : reader.children("objects"))
+            project.objects.push_back(readObject(object, project.samples.size()));
+    if (reader.has("lights")) {
+        project.lights.clear();
+        for (const JsonReader& light : reader.children("lights")) project.lights.push_back(readLight(light));
+    }
+    if (reader.has("camera")) readCamera(reader.child("camera"), project);
+    if (reader.has("method")) project.method = reader.text("method");
+    if (reader.has("levels")) {
+        reader.child("levels").params(project.levels);
+        reader.child("levels").params(project.levels.quilt);
+    }
+    if (reader.has("view-aligned")) reader.child("view-aligned").params(project.viewAligned);
+    return project;
+}
+
+}  // namespace
+
+Project readProject(const fs::path& path) {
+    const std::string text = readFile(path, largestFile);
+    Json json;
+    try {
+        json = Json::parse(text);
+    } catch (const Json::exception& error) {
+        throw Error(path.string(), std::string("is not JSON (") + error.what() + ")",
+                    "choose a project that Chiaro saved");
+    }
+    return projectFromJson(json, path);
+}
+
+void writeProject(const fs::path& path, const Project& project) {
+    const fs::path folder = fs::absolute(path).parent_path();
+    Json json;
+    json["chiaro"] = Project::version;
+    json["samples"] = Json::array();
+    for (const Sample& sample : project.samples) json["samples"].push_back(jsonFromSample(sample, folder));
+    if (!project.mesh.empty()) json["mesh"] = project.mesh.lexically_proximate(folder).generic_string();
+    for (const ObjectSettings& object : project.objects) json["objects"].push_back(jsonFromObject(object));
+    json["lights"] = Json::array();
+    for (const scene::Light& light : project.lights)
+        json["lights"].push_back({{"kind", "directional"},
+                                  {"vector", jsonFromVector(light.vector)},
+                                  {"intensity", tidy(light.intensity)},
+                                  {"wrap", light.wrap}});
+    json["camera"] = jsonFromCamera(project);
+    json["method"] = project.method;
+    json["levels"] = jsonFromParams(project.levels);
+    json["levels"].update(jsonFromParams(project.levels.quilt));
+    json["view-aligned"] = jsonFromParams(project.viewAligned);
+    writeFileAtomically(path, json.dump(2) + "\n");
+}
+
+}  // namespace chiaro::project
