@@ -19,25 +19,31 @@ struct DecodedImage {
 
 /// What a picture may be before a pixel of it is decoded.
 struct ImageLimits {
-    int maximumSide = 32768;                ///< pixels
-    std::uint64_t maximumPixels = 1 << 28;  ///< pixels; a decoded picture takes 4 to 16 bytes for each
+    int maximumSide = 32768;                    ///< pixels
+    std::uint64_t maximumPixels = 100'000'000;  ///< pixels; reading takes up to 32 bytes for each
 };
 
 /// Reads PNG, JPEG, TIFF, OpenEXR or WebP; the content decides the format, not the name. The first picture of
-/// an animated or layered file. Palettes become RGB, CMYK becomes RGB. Non-finite values are refused. Throws
-/// Error naming the file when it is missing, of another format, damaged, truncated, or beyond the limits.
+/// an animated or layered file; of an OpenEXR file the display window. Palettes become RGB, CMYK becomes RGB.
+/// Non-finite values are refused. Throws Error naming the file when it is missing, of another format,
+/// damaged, truncated, or beyond the limits. Thread-safe; the first call takes 0.3 s longer.
 DecodedImage readImage(const std::filesystem::path& path, const ImageLimits& limits = {});
 
 /// Entries written into the picture's metadata: what made it (version, command, parameters).
 using ImageMetadata = std::map<std::string, std::string>;
 
-/// Bits a channel of integer formats; EXR holds float whatever this says.
+/// What a picture's metadata says: the entries that writeImage put in, and whatever else the file tells in
+/// text. Throws as readImage does.
+ImageMetadata readImageMetadata(const std::filesystem::path& path);
+
+/// Bits a channel of integer formats; EXR holds float and JPEG 8 bits whatever this says.
 enum class PixelDepth { Bits8, Bits16 };
 
-/// What the file looks like afterwards is decided by the extension: .png, .tif, .tiff, .jpg, .jpeg, .webp
-/// hold display-referred values clipped to [0, 1]; .exr holds 32-bit float as given (pass linear values for a
-/// picture). Written atomically. Throws Error naming the path when the extension is another one or the disk
-/// refuses.
+/// What the file looks like afterwards is decided by the extension: .png, .tif, .tiff, .jpg, .jpeg hold
+/// display-referred values clipped to [0, 1] and rounded, halves up; .exr holds 32-bit float as given (pass
+/// linear values for a picture). JPEG shows coverage over white. PNG and EXR hold each metadata entry under
+/// its key, TIFF and JPEG as lines of their description. The same input gives the same bytes. Written
+/// atomically. Throws Error naming the path when the extension is another one or the disk refuses.
 void writeImage(const std::filesystem::path& path, const ColorImage& image,
                 const ImageMetadata& metadata = {}, PixelDepth depth = PixelDepth::Bits8);
 void writeImage(const std::filesystem::path& path, const ColorAlphaImage& image,
