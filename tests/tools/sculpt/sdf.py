@@ -13,6 +13,10 @@ def vec(*values):
     return np.array(values, dtype=float)
 
 
+def length(q):
+    return np.sqrt(np.einsum("ij,ij->i", q, q))
+
+
 def unit(v):
     v = np.asarray(v, dtype=float)
     return v / np.linalg.norm(v)
@@ -44,7 +48,7 @@ def mirrored(p, eps=0.0):
 
 def join(a, b, k):
     """Union with a fillet of size `k` (quadratic smooth minimum)."""
-    if k <= 0.0:
+    if np.ndim(k) == 0 and k <= 0.0:
         return np.minimum(a, b)
     h = np.maximum(k - np.abs(a - b), 0.0) / k
     return np.minimum(a, b) - h * h * k * 0.25
@@ -70,7 +74,7 @@ def clip(a, b, k):
 # --- primitives ------------------------------------------------------------
 
 def sphere(p, centre, radius):
-    return np.linalg.norm(p - centre, axis=1) - radius
+    return length(p - centre) - radius
 
 
 def frame(forward, up=(0.0, 1.0, 0.0)):
@@ -95,8 +99,8 @@ def ellipsoid(p, centre, radii, rows=None):
     if rows is not None:
         q = q @ np.asarray(rows).T
     q = q / np.asarray(radii, dtype=float)
-    k0 = np.linalg.norm(q, axis=1)
-    k1 = np.linalg.norm(q / np.asarray(radii, dtype=float), axis=1)
+    k0 = length(q)
+    k1 = length(q / np.asarray(radii, dtype=float))
     return k0 * (k0 - 1.0) / np.maximum(k1, 1e-9)
 
 
@@ -105,7 +109,7 @@ def rounded_box(p, centre, half, radius, rows=None):
     if rows is not None:
         q = q @ np.asarray(rows).T
     q = np.abs(q) - (np.asarray(half, dtype=float) - radius)
-    outside = np.linalg.norm(np.maximum(q, 0.0), axis=1)
+    outside = length(np.maximum(q, 0.0))
     return outside + np.minimum(q.max(axis=1), 0.0) - radius
 
 
@@ -115,8 +119,10 @@ def capsule(p, a, b, ra, rb=None):
     a = np.asarray(a, dtype=float)
     b = np.asarray(b, dtype=float)
     ab = b - a
-    t = np.clip((p - a) @ ab / (ab @ ab), 0.0, 1.0)
-    return np.linalg.norm(p - a - t[:, None] * ab, axis=1) - (ra + t * (rb - ra))
+    q = p - a
+    t = np.clip(q @ ab / (ab @ ab), 0.0, 1.0)
+    q -= t[:, None] * ab
+    return length(q) - (ra + t * (rb - ra))
 
 
 def resample(points, count):

@@ -40,14 +40,14 @@ def vault(p):
     # narrower towards the forehead
     q[:, 0] /= 1.0 - 0.17 * smoothstep(0.0, 9.5, q[:, 2]) + 0.03 * bump(q[:, 2], -2.0, 4.0)
     d = ellipsoid(q, (0, 4.9, 0.3), (6.75, 6.95, 8.5))
-    d = join(d, ellipsoid(q, (2.6, 6.9, -2.4), (4.15, 4.5, 5.4)), 1.5)       # parietal
-    d = join(d, ellipsoid(q, (1.9, 6.6, 4.4), (3.9, 4.2, 4.6)), 1.8)         # frontal
-    d = join(d, ellipsoid(q, (0.0, 3.2, -4.2), (4.9, 4.3, 4.5)), 1.5)        # occipital
-    d = join(d, ellipsoid(q, (1.9, 0.2, -3.7), (3.0, 2.6, 3.6)), 1.2)        # below the nuchal line
+    d = join(d, ellipsoid(q, (2.1, 6.0, -2.3), (4.75, 5.0, 5.4)), 1.5)       # parietal
+    d = join(d, ellipsoid(q, (2.1, 6.7, 4.4), (2.9, 2.9, 4.2)), 1.8)         # frontal
+    d = join(d, ellipsoid(q, (0.0, 3.4, -3.6), (4.9, 4.0, 4.75)), 1.5)       # occipital
+    d = join(d, ellipsoid(q, (1.9, 0.2, -3.6), (3.0, 2.5, 3.5)), 1.2)        # below the nuchal line
     # the field of the temporal muscle lies a little deeper: the temporal lines
     field = np.hypot((p[:, 2] + 0.3) / 7.3, (p[:, 1] - 2.4) / 6.1)
-    side = smoothstep(2.5, 4.5, q[:, 0])
-    return d + 0.22 * (1.0 - smoothstep(0.93, 1.03, field)) * side
+    side = smoothstep(2.5, 4.5, q[:, 0]) * (0.25 + 0.75 * smoothstep(-5.0, 3.0, p[:, 2]))
+    return d + 0.20 * (1.0 - smoothstep(0.84, 1.04, field)) * side
 
 
 def orbit_frame(q):
@@ -279,8 +279,8 @@ def build(quality=1.0):
     parts = [
         ("cranium", sculpt(cranium, (-8.2, -5.2, -10.2), (8.2, 13.2, 11.8), h, faces=int(46000 * k))),
         ("jaw", opened(sculpt(jaw, (-6.6, -10.0, -0.5), (6.6, 0.6, 10.6), h * 0.85, faces=int(17000 * k)))),
-        ("upper teeth", tooth_row(UPPER_TEETH, UPPER_ROW, UPPER_GUM, 1, 0.045)),
-        ("lower teeth", opened(tooth_row(LOWER_TEETH, LOWER_ROW, LOWER_GUM, -1, 0.045))),
+        ("upper teeth", tooth_row(UPPER_TEETH, UPPER_ROW, UPPER_GUM, 1, 0.06)),
+        ("lower teeth", opened(tooth_row(LOWER_TEETH, LOWER_ROW, LOWER_GUM, -1, 0.06))),
     ]
     lo = np.min([m.vertices.min(axis=0) for _, m in parts], axis=0)
     hi = np.max([m.vertices.max(axis=0) for _, m in parts], axis=0)
