@@ -1,5 +1,7 @@
 #include "core/project/pipeline.h"
 
+#include <chrono>
+
 namespace chiaro::project {
 
 gradient::Gradient shownGradient(const Sample& sample, const gradient::Separation& separation) {
@@ -13,7 +15,9 @@ Paint preparePaint(const Sample& sample, const synthesis::LevelParams& levels, c
     task.checkpoint();
     paint.separation = gradient::separate(paint.strip, sample.gradient, task.part(0, 0.2));
     paint.shown = shownGradient(sample, paint.separation);
+    const auto begin = std::chrono::steady_clock::now();
     paint.levels = synthesis::makeLevels(paint.strip, paint.separation.gradient, levels, task.part(0.2, 1));
+    paint.levelSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return paint;
 }
 
@@ -37,6 +41,17 @@ scene::Scene makeScene(const Project& project,
 
 scene::Camera cameraFor(const Project& project, const scene::Scene& scene) {
     return project.frameCamera ? project.camera.framed(boundsOf(scene)) : project.camera;
+}
+
+methods::Frame renderFrame(const Project& project, const scene::Scene& scene,
+                           const std::vector<Paint>& paints, const scene::GBuffer& gbuffer,
+                           const Task& task) {
+    std::vector<methods::ViewAlignedPaint> worn;
+    for (const scene::Object& object : scene.objects) {
+        const Paint& paint = paints[std::size_t(object.sample)];
+        worn.push_back({&paint.levels, &paint.shown, {}});
+    }
+    return methods::renderViewAligned(gbuffer, worn, project.viewAligned, task);
 }
 
 }  // namespace chiaro::project

@@ -2,7 +2,7 @@
 
 #include "core/base/task.h"
 #include "core/project/project.h"
-#include "core/scene/mesh_io.h"
+#include "core/scene/gbuffer.h"
 
 #include <memory>
 #include <vector>
@@ -15,6 +15,7 @@ struct Paint {
     gradient::Separation separation;
     gradient::Gradient shown;  ///< the artist's recolouring, or else the sample's own gradient G(u(x))
     synthesis::LevelStack levels;
+    double levelSeconds = 0;  ///< what the level stack took to make
 };
 
 /// The gradient that pictures show for a sample.
@@ -29,5 +30,11 @@ scene::Scene makeScene(const Project& project, const std::vector<std::shared_ptr
 
 /// The project's camera, aimed at the scene when the project says so.
 scene::Camera cameraFor(const Project& project, const scene::Scene& scene);
+
+/// The picture of a view by the project's method, the texture where it lies when the objects are first seen.
+/// `paints` has one entry a sample of the project, `gbuffer` shows `scene`. Throws Cancelled.
+methods::Frame renderFrame(const Project& project, const scene::Scene& scene,
+                           const std::vector<Paint>& paints, const scene::GBuffer& gbuffer,
+                           const Task& task = {});
 
 }  // namespace chiaro::project

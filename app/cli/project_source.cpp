@@ -1,0 +1,180 @@
+#include "app/cli/project_source.h"
+
+#include "core/base/error.h"
+
+#include <spdlog/fmt/fmt.h>
+
+namespace chiaro::cli {
+
+namespace {
+
+project::Sample sampleFrom(const std::filesystem::path& scan) {
+    project::Sample sample;
+    sample.name = scan.stem().string();
+    sample.scan = scan;
+    return sample;
+}
+
+/// `NAME=SAMPLE`: gives one object a sample of its own.
+void dress(project::Project& project, const std::string& assignment) {
+    const std::size_t equals = assignment.rfind('=');
+    project.samples.push_back(sampleFrom(assignment.substr(equals + 1)));
+    const std::string name = assignment.substr(0, equals);
+    auto object = std::find_if(project.objects.begin(), project.objects.end(),
+                               [&](const project::ObjectSettings& one) { return one.name == name; });
+    if (object == project.objects.end())
+        object = project.objects.insert(object, project::ObjectSettings{.name = name});
+    object->sample = int(project.samples.size()) - 1;
+}
+
+void checkObjectNames(const project::Project& project, const scene::Model& model) {
+    for (const project::ObjectSettings& object : project.objects) {
+        const auto named = [&](const scene::Mesh& mesh) { return mesh.name == object.name; };
+        if (std::any_of(model.meshes.begin(), model.meshes.end(), named)) continue;
+        std::vector<std::string> names;
+        for (const scene::Mesh& mesh : model.meshes) names.push_back("\"" + mesh.name + "\"");
+        throw Error(project.mesh.string(), "has no object \"" + object.name + "\"",
+                    fmt::format("it has {}", fmt::join(names, ", ")).substr(0, 400));
+    }
+}
+
+}  // namespace
+
+void ProjectSource::addTo(CLI::App& command) {
+    command.add_option("PROJECT", m_path, "Project, a .chiaro file; flags override what it says");
+    addSceneFlags(command);
+    addMethodFlags(command);
+}
+
+void ProjectSource::addSceneFlags(CLI::App& command) {
+    const auto overrides = [this](auto apply) {
+        return [this, apply](const std::string& text) {
+            m_overrides.push_back([apply, text](project::Project& project) { apply(project, text); });
+        };
+    };
+    command.add_option_function<std::string>(
+        "--mesh", overrides([](project::Project& project, const std::string& text) {
+            project.mesh = text;
+            project.objects.clear();
+            project.frameCamera = true;
+        }),
+        "Mesh to paint: OBJ, PLY, OFF, STL, GLB or glTF");
+    command.add_option_function<std::string>(
+        "--sample", overrides([](project::Project& project, const std::string& text) {
+            project.samples = {sampleFrom(text)};
+            for (project::ObjectSettings& object : project.objects) object.sample = 0;
+        }),
+        "Paint sample that every object wears");
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--object",
+            [this](const std::vector<std::string>& assignments) {
+                for (const std::string& assignment : assignments)
+                    m_overrides.push_back(
+                        [assignment](project::Project& project) { dress(project, assignment); });
+            },
+            "NAME=SAMPLE: the object of this name wears another sample; may be repeated")
+        ->check([](const std::string& text) {
+            return text.find('=') == std::string::npos ? "--object: write NAME=SAMPLE" : std::string();
+        });
+    command.add_option_function<std::string>(
+        "--light",
+        [this](const std::string& text) {
+            const std::vector<float> v = numbersFrom("--light", text, 3);
+            const glm::vec3 vector(v[0], v[1], v[2]);
+            if (glm::length(vector) == 0)
+                throw CLI::ValidationError("--light: is 0,0,0; write a direction that is not zero");
+            m_overrides.push_back([vector](project::Project& project) {
+                project.lights = {scene::Light{}};
+                project.lights.front().vector = vector;
+            });
+        },
+        "x,y,z: direction from the surface towards the light, world space (default -0.5,0.7,0.6)");
+    command.add_option_function<std::string>(
+        "--camera",
+        [this](const std::string& text) {
+            const std::vector<float> v = numbersFrom("--camera", text, 3);
+            if (std::abs(v[1]) > 90)
+                throw CLI::ValidationError(fmt::format("--camera: elevation is {:g}; choose -90..90", v[1]));
+            if (v[2] < 0.01f || v[2] > 100)
+                throw CLI::ValidationError(fmt::format("--camera: distance is {:g}; choose 0.01..100", v[2]));
+            m_overrides.push_back([v](project::Project& project) {
+                project.camera.azimuth = v[0];
+                project.camera.elevation = v[1];
+                project.camera.distance = v[2];
+            });
+        },
+        "azimuth,elevation,distance: degrees around +Y from +Z, degrees above the horizon, and the distance "
+        "in units of "
+        "that from which the scene just fills the picture (default 30,15,1)");
+}
+
+template <class Params>
+void ProjectSource::addOverrides(CLI::App& command, Params& (*member)(project::Project&)) {
+    const ParameterTable<Params>& table = Params::table();
+    addParameterFlags(command, table.specs(), table.values(Params()),
+                      [this, member, &table](std::size_t index, double value) {
+                          m_overrides.push_back([member, &table, index, value](project::Project& project) {
+                              std::vector<double> values = table.values(member(project));
+                              values[index] = value;
+                              table.assign(member(project), values);
+                          });
+                      });
+}
+
+void ProjectSource::addMethodFlags(CLI::App& command) {
+    command
+        .add_option_function<std::string>(
+            "--method",
+            [this](const std::string& method) {
+                m_overrides.push_back([method](project::Project& project) { project.method = method; });
+            },
+            "How the paint is laid on (view-aligned)")
+        ->check(CLI::IsMember({"view-aligned"}));
+    addOverrides<methods::ViewAlignedParams>(
+        command,
+        +[](project::Project& project) -> methods::ViewAlignedParams& { return project.viewAligned; });
+    addOverrides<synthesis::LevelParams>(
+        command, +[](project::Project& project) -> synthesis::LevelParams& { return project.levels; });
+    addOverrides<synthesis::QuiltParams>(
+        command, +[](project::Project& project) -> synthesis::QuiltParams& { return project.levels.quilt; });
+}
+
+project::Project ProjectSource::load(std::uint64_t seed) const {
+    project::Project project;
+    if (!m_path.empty()) project = project::readProject(m_path);
+    for (const Override& apply : m_overrides) apply(project);
+    project.levels.quilt.seed = seed;
+    if (project.mesh.empty()) throw Error("mesh", "none is given", "name a project or --mesh FILE");
+    if (project.samples.empty()) throw Error("sample", "none is given", "name a project or --sample STRIP");
+    return project;
+}
+
+LoadedProject loadProject(project::Project project, const Task& task) {
+    LoadedProject loaded{.project = std::move(project), .scene = {}, .paints = {}};
+    const scene::Model model = scene::readModel(loaded.project.mesh, task.part(0, 0.2));
+    checkObjectNames(loaded.project, model);
+    std::vector<std::shared_ptr<const scene::Mesh>> meshes;
+    for (const scene::Mesh& mesh : model.meshes) meshes.push_back(std::make_shared<const scene::Mesh>(mesh));
+    loaded.scene = project::makeScene(loaded.project, meshes);
+    const double share = 0.8 / double(loaded.project.samples.size());
+    for (std::size_t i = 0; i < loaded.project.samples.size(); ++i)
+        loaded.paints.push_back(
+            project::preparePaint(loaded.project.samples[i], loaded.project.levels,
+                                  task.part(0.2 + share * double(i), 0.2 + share * double(i + 1))));
+    return loaded;
+}
+
+glm::ivec2 sizeFrom(const std::string& flag, const std::string& text) {
+    glm::ivec2 size(0);
+    int read = 0;
+    const int fields = std::sscanf(text.c_str(), "%dx%d%n", &size.x, &size.y, &read);
+    const bool valid = fields == 2 && std::size_t(read) == text.size() && size.x >= 1 && size.y >= 1 &&
+                       size.x <= 16384 && size.y <= 16384;
+    if (!valid)
+        throw CLI::ValidationError(
+            fmt::format("{}: is \"{}\"; write WIDTHxHEIGHT, each 1..16384 px", flag, text));
+    return size;
+}
+
+}  // namespace chiaro::cli

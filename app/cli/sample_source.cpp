@@ -1,0 +1,35 @@
+#include "app/cli/sample_source.h"
+
+namespace chiaro::cli {
+
+void SampleSource::addTo(CLI::App& command) {
+    command
+        .add_option("STRIP", m_sample.scan,
+                    "Scanned strip of paint, dark at the left: PNG, JPEG, TIFF, EXR or WebP")
+        ->required();
+    command.add_option_function<std::string>(
+        "--crop",
+        [this](const std::string& text) {
+            const std::vector<float> numbers = numbersFrom("--crop", text, 8);
+            for (std::size_t i = 0; i < 4; ++i) m_sample.strip.crop[i] = {numbers[2 * i], numbers[2 * i + 1]};
+        },
+        "Crop quadrilateral: x,y of the top-left, top-right, bottom-right and bottom-left corner, in "
+        "fractions of "
+        "width and height (default 0,0,1,0,1,1,0,1)");
+    addParameterFlags(command, m_sample.strip);
+    addParameterFlags(command, m_sample.gradient);
+}
+
+ColorImage SampleSource::readStrip() const {
+    return sample::makeStrip(sample::readScan(m_sample.scan), m_sample.strip);
+}
+
+nlohmann::json SampleSource::parameters() const {
+    nlohmann::json json = parametersToJson(m_sample.strip);
+    json.update(parametersToJson(m_sample.gradient));
+    for (const glm::vec2& corner : m_sample.strip.crop) json["crop"].push_back({corner.x, corner.y});
+    json["strip"] = m_sample.scan.filename().string();
+    return json;
+}
+
+}  // namespace chiaro::cli

@@ -1,0 +1,99 @@
+#include "app/cli/session.h"
+
+#include "core/base/error.h"
+
+#include <spdlog/fmt/fmt.h>
+#include <tbb/global_control.h>
+
+#include <cstdio>
+#include <iostream>
+#include <thread>
+#include <unistd.h>
+
+namespace chiaro::cli {
+
+void Session::addCommonFlags(CLI::App& command) {
+    command.add_flag("--json", flags.json, "Print one JSON object on stdout instead of text");
+    command.add_flag("--quiet", flags.quiet, "Print nothing but errors");
+    command.add_option("--seed", flags.seed, "Seed of every random choice (default 1)");
+    command
+        .add_option("--threads", flags.threads,
+                    "Threads; the result never depends on them (default: all cores)")
+        ->check(CLI::Range(0, 1024));
+}
+
+void Session::start() {
+    static std::unique_ptr<tbb::global_control> limit;
+    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                  std::size_t(threads()));
+}
+
+int Session::threads() const {
+    return flags.threads > 0 ? flags.threads : int(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+Task Session::task(const std::string& label) {
+    if (flags.quiet || !isatty(STDERR_FILENO)) return Task(m_stop);
+    const auto begin = std::chrono::steady_clock::now();
+    return Task(m_stop, [label, begin](double fraction) {
+        constexpr int width = 32;
+        if (std::chrono::steady_clock::now() - begin < std::chrono::seconds(1)) return;
+        const int filled = int(fraction * width);
+        std::fprintf(stderr, "\r%-12s [%s%s] %3d%%%s", label.c_str(),
+                     std::string(std::size_t(filled), '#').c_str(),
+                     std::string(std::size_t(width - filled), ' ').c_str(), int(fraction * 100),
+                     fraction >= 1 ? "\n" : "");
+    });
+}
+
+void Session::finish(const nlohmann::json& json, const std::string& text) {
+    if (flags.json)
+        std::cout << json.dump() << std::endl;
+    else if (!flags.quiet)
+        std::cout << text << std::endl;
+}
+
+void addParameterFlags(CLI::App& command, std::span<const ParameterSpec> specs,
+                       std::span<const double> defaults, std::function<void(std::size_t, double)> assign) {
+    for (std::size_t i = 0; i < specs.size(); ++i) {
+        const ParameterSpec spec = specs[i];
+        const std::string help =
+            fmt::format("{} ({}; default {})", spec.tooltip, spec.rangeText(), spec.valueText(defaults[i]));
+        command
+            .add_option_function<std::string>(
+                "--" + spec.key,
+                [spec, assign, i](const std::string& text) {
+                    try {
+                        assign(i, spec.parse(text));
+                    } catch (const Error& error) {
+                        throw CLI::ValidationError(std::string("--") + error.what());
+                    }
+                },
+                help)
+            ->type_name("");
+    }
+}
+
+std::vector<float> numbersFrom(const std::string& flag, const std::string& text, std::size_t count) {
+    std::vector<float> numbers;
+    std::stringstream stream(text);
+    std::string part;
+    bool valid = true;
+    while (std::getline(stream, part, ',')) {
+        char* end = nullptr;
+        numbers.push_back(std::strtof(part.c_str(), &end));
+        valid = valid && !part.empty() && *end == '\0' && std::isfinite(numbers.back());
+    }
+    if (!valid || numbers.size() != count)
+        throw CLI::ValidationError(
+            fmt::format("{}: is \"{}\"; write {} numbers with commas between them", flag, text, count));
+    return numbers;
+}
+
+ImageMetadata pictureMetadata(const std::string& command, const nlohmann::json& parameters) {
+    return {{"Software", std::string("Chiaro ") + CHIARO_VERSION},
+            {"chiaro:command", command},
+            {"chiaro:parameters", parameters.dump()}};
+}
+
+}  // namespace chiaro::cli
