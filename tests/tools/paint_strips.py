@@ -13,7 +13,7 @@ from PIL import Image
 
 from brush.sheet import encode
 
-NAMES = ("watercolour", "oil", "charcoal", "hatching")
+NAMES = ("watercolour", "oil", "charcoal", "hatching", "pastel", "impasto")
 SAMPLES = Path(__file__).resolve().parents[2] / "resources" / "demo" / "samples"
 
 
@@ -21,7 +21,7 @@ def save(strip, path):
     """Writes linear light as an 8-bit sRGB PNG, rounded with a fixed fine dither."""
     dither = np.random.default_rng(7).uniform(-0.5, 0.5, strip.shape[:2])[..., None]
     values = np.clip(np.rint(encode(strip) * 255.0 + dither), 0, 255).astype(np.uint8)
-    Image.fromarray(values, "RGB").save(path, optimize=True)
+    Image.fromarray(values).save(path, optimize=True)
 
 
 def main():

@@ -15,16 +15,29 @@ LINE_GAP = 3.9
 CAPS = (0.40, 0.60, 0.76, 0.88, 0.95, 1.0)
 
 
-def pen_line(ink, sheet, rng, x, y, angle, length, nib, bend):
+def already_drawn(laid, sheet, spine, limit):
+    """Whether more than limit (0..1) of a stroke would lie on others of its layer; notes it if not."""
+    at = np.clip(np.rint(spine).astype(int) + sheet.bleed, 1, np.array(laid.shape)[::-1] - 2)
+    if laid[at[:, 1], at[:, 0]].mean() > limit:
+        return True
+    for dy in (-1, 0, 1):
+        for dx in (-1, 0, 1):
+            laid[at[:, 1] + dy, at[:, 0] + dx] = True
+    return False
+
+
+def pen_line(ink, laid, sheet, rng, x, y, angle, length, nib, bend, limit):
     """One stroke from (x, y) px: pressed, carried with a wobble, lifted to a taper."""
     k = sheet.scale
-    n = max(6, int(length / 2.5))
+    n = max(8, int(length / 1.8))
     s = np.linspace(0.0, 1.0, n)
-    wander = np.cumsum(rng.normal(0, 0.055, n))
+    wander = np.cumsum(rng.normal(0, 0.05, n))
     off = wander - np.linspace(wander[0], wander[-1], n) + bend * length * (s * s - s)
     c, d = np.cos(angle), np.sin(angle)
     px = x + c * s * length - d * off
     py = y + d * s * length + c * off
+    if already_drawn(laid, sheet, np.stack([px, py], 1), limit):
+        return
     swell = np.minimum(1.0, s / 0.10 + 0.45) * np.minimum(1.0, (1.0 - s) / rng.uniform(0.25, 0.6) + 0.12)
     half = 0.5 * nib * swell * np.clip(1 + 0.10 * rng.standard_normal(n), 0.6, 1.4)
     side = np.array([-d, c])
@@ -42,7 +55,7 @@ def pen_line(ink, sheet, rng, x, y, angle, length, nib, bend):
     ink[cy0:cy1, cx0:cx1] += np.asarray(stamp, np.float32) * (rng.uniform(0.62, 1.0) / 255.0)
 
 
-def hatch_patch(ink, sheet, rng, x, y, angle, tone, layer):
+def hatch_patch(ink, laid, sheet, rng, x, y, angle, tone, layer, limit):
     """A handful of parallel strokes round (x, y) px, as the wrist makes them in one go.
 
     The eye sets each new patch into the rows already there: strokes keep to
@@ -63,8 +76,8 @@ def hatch_patch(ink, sheet, rng, x, y, angle, tone, layer):
         across = (i - count // 2) * gap + rng.normal(0, 0.38)
         own = length * rng.uniform(0.78, 1.15)
         back = -0.5 * own + rng.normal(0, 0.06) * length + stagger * (i - 0.5 * count)
-        pen_line(ink, sheet, rng, x + c * back - s * across, y + s * back + c * across,
-                 angle + fan * (i - 0.5 * count) + rng.normal(0, 0.022), own, nib, bend)
+        pen_line(ink, laid, sheet, rng, x + c * back - s * across, y + s * back + c * across,
+                 angle + fan * (i - 0.5 * count) + rng.normal(0, 0.022), own, nib, bend, limit)
 
 
 def cover_of(ink):
@@ -77,12 +90,13 @@ def hatch_layer(ink, sheet, rng, layer, cap, drift):
     cell = 8 * sheet.scale                              # tone is judged on 8 px squares
     rows, columns = sheet.shape[0] // cell, sheet.shape[1] // cell
     along = np.clip((np.arange(columns) * 8 + 4 - sheet.bleed) / sheet.width, 0, 1)
-    full = 1.0 - (tone_at(along) / 0.955) ** 2.2
+    full = 1.0 - (tone_at(along) / 0.965) ** 2.2
     wanted = np.minimum(full, cap)[None, :].repeat(rows, 0)
+    laid = np.zeros((sheet.height + 2 * sheet.bleed, sheet.width + 2 * sheet.bleed), bool)
     for turn in range(6000):
         if turn % 12 == 0:
-            have = cover_of(ink[:rows * cell, :columns * cell]).reshape(rows, cell, columns, cell).mean((1, 3))
-            have = gaussian_filter(have, 0.8)
+            have = cover_of(ink[:rows * cell, :columns * cell]).reshape(rows, cell, columns, cell)
+            have = gaussian_filter(have.mean((1, 3)), 0.8)
             lack = np.maximum(wanted - have, 0) / (wanted + 0.05)
             lack[lack < 0.06] = 0
             if lack.max() < 0.10:
@@ -91,9 +105,9 @@ def hatch_layer(ink, sheet, rng, layer, cap, drift):
         pick = int(np.searchsorted(odds, rng.uniform(0, odds[-1])))
         j, i = divmod(min(pick, rows * columns - 1), columns)
         angle = DIRECTIONS[layer] + 0.06 * drift[j, i] + rng.normal(0, 0.03)
-        hatch_patch(ink, sheet, rng, i * 8 + rng.uniform(0, 8) - sheet.bleed,
+        hatch_patch(ink, laid, sheet, rng, i * 8 + rng.uniform(0, 8) - sheet.bleed,
                     j * 8 + rng.uniform(0, 8) - sheet.bleed, angle,
-                    float(tone_at(along[i])), layer)
+                    float(tone_at(along[i])), layer, 0.3 + turn / 2500)
 
 
 def paint(seed=1499):
@@ -101,11 +115,13 @@ def paint(seed=1499):
     rng = np.random.default_rng(seed)
     sheet = Sheet(scale=4)
     ink = np.zeros(sheet.shape, np.float32)
-    ivory = hex_colour("f8f2e1")
+    ivory = hex_colour("faf6ea")
     cells = (sheet.shape[0] // (8 * sheet.scale), sheet.shape[1] // (8 * sheet.scale))
+    wash = np.clip(1.0 - sheet.along() / 0.6, 0, 1) ** 1.5  # thin ink, brushed under the darks
+    ink += 0.15 * wash * np.clip(1.0 + 0.2 * fractal(sheet.shape, rng, 24, 4), 0, None)
     for layer, cap in enumerate(CAPS):
-        hatch_layer(ink, sheet, rng, layer, cap, noise(cells, rng, 3))
+        hatch_layer(ink, sheet, rng, layer, cap, noise(cells, rng, 3.0))
     ink = np.minimum(ink, 1.6) * np.clip(1.0 + 0.10 * noise(sheet.shape, rng, 2.0), 0.5, None)
     grain = 1.0 + 0.008 * fractal(sheet.shape, rng, 5, 2)
     colour = ivory * np.exp(-ink[..., None] * BLUE_BLACK) * grain[..., None]
-    return settle(sheet.scan(colour), ivory, across=(12.0, 40.0), strength=0.0)
+    return settle(sheet.scan(colour, blur=0.22), ivory, across=(4.0, 40.0), strength=0.0)

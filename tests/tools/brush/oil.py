@@ -26,7 +26,7 @@ def brush_stroke(colour, height, sheet, banks, weave, rng, late):
     """One stroke. late runs 0..1 over the painting: thin long scrubs first, then thick touches."""
     x, y = sheet.random_spot(rng)
     t = sheet.part(x)
-    body = 0.35 + 0.65 * t                              # lights are painted thicker
+    body = 0.5 + 0.5 * t                              # lights are painted thicker
     length = rng.uniform(30, 60) * (1.15 - 0.4 * late - 0.2 * t)
     width = rng.uniform(7, 15) * (1.1 - 0.35 * late)
     angle = rng.normal(-0.95 + 0.55 * t, 0.38) + (np.pi if rng.random() < 0.35 else 0.0)
@@ -41,10 +41,10 @@ def brush_stroke(colour, height, sheet, banks, weave, rng, late):
     tint = streaks.sample(v * k * 0.6, u * k * 0.7, rng)
     ragged = streaks.sample(v * k, u * k * 0.15, rng)
     edge = 0.5 * width * (1.0 - 0.25 * smoothstep(0.55, 1.0, run)) - np.abs(v) + 0.5 * hair
-    start = (run * length) + 1.2 * ragged
-    stop = (1.0 - run) * length + 3.2 * ragged
+    start = (run * length) + 2.0 * ragged
+    stop = (1.0 - run) * length + 4.0 * ragged
     shape = smoothstep(-0.5, 0.7, edge) * smoothstep(-0.4, 0.8, start) * smoothstep(-0.5, 2.0, stop)
-    load = rng.uniform(0.55, 1.3) * (1.15 - rng.uniform(0.35, 0.95) * np.clip(run, 0, 1))
+    load = rng.uniform(0.42, 1.2) * (1.15 - rng.uniform(0.45, 1.1) * np.clip(run, 0, 1))
     catch = 0.75 * hair + 0.35 * weave[at] + 0.5 * height[at]
     cover = shape * smoothstep(-0.25, 0.35, catch + 2.6 * (load - 0.45))
     if not cover.any():
@@ -67,8 +67,8 @@ def light_surface(colour, height, sheet):
     rise = gaussian_filter(height, 0.35 * sheet.scale)
     dy, dx = np.gradient(rise)
     slope = 0.62 * dx + 0.78 * dy
-    shade = 1.0 + 0.85 * np.tanh(slope * 0.75)
-    gleam = 0.035 * smoothstep(0.45, 1.1, slope)
+    shade = 1.0 + 0.95 * np.tanh(slope * 1.05)
+    gleam = 0.05 * smoothstep(0.45, 1.1, slope)
     return colour * np.clip(shade, 0.3, 1.7)[..., None] + gleam[..., None] * np.array([1.0, 0.98, 0.93])
 
 

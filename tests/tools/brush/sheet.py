@@ -60,8 +60,9 @@ class Sheet:
         v = c * dy - s * dx - np.float32(0.5 * bend) * u * u
         return (slice(y0, y1), slice(x0, x1)), u, v
 
-    def scan(self, canvas):
-        """Cuts the bleed off and averages the dots of each px."""
+    def scan(self, canvas, blur=0.32):
+        """Cuts the bleed off and averages the dots of each px; blur is the lens's, in px."""
+        canvas = gaussian_filter(canvas, (blur * self.scale, blur * self.scale, 0))
         b, k = self.bleed * self.scale, self.scale
         inner = canvas[b:b + self.height * k, b:b + self.width * k]
         return inner.reshape(self.height, k, self.width, k, -1).mean((1, 3))
@@ -104,11 +105,14 @@ def smoothstep(low, high, x):
     return t * t * (3.0 - 2.0 * t)
 
 
-def paper_height(sheet, rng, grain=2.2, fibre=0.35):
-    """Height of a paper's tooth, 0..1 with a flat histogram; grain in px."""
+def paper_height(sheet, rng, grain=2.2, fibre=0.35, cloud=0.35):
+    """Height of a paper's tooth, 0..1 with a flat histogram; grain in px.
+
+    cloud is the share of unevenness wider than a grain.
+    """
     g = grain * sheet.scale
     field = (noise(sheet.shape, rng, 0.42 * g) + 0.6 * noise(sheet.shape, rng, 0.8 * g)
-             + 0.35 * noise(sheet.shape, rng, 1.9 * g))
+             + cloud * noise(sheet.shape, rng, 1.9 * g))
     field += fibre * noise(sheet.shape, rng, (0.5 * g, 0.9 * g))
     return flatten(field)
 
@@ -120,9 +124,9 @@ def flatten(field):
 
 
 def relief(height, lift, light=(-0.6, -0.8)):
-    """Side light on a surface: 1 where flat, more on slopes that face light (x, y)."""
+    """Side light on a surface: 1 where flat, more on slopes facing light, an (x, y) way to it."""
     dy, dx = np.gradient(height)
-    return 1.0 + lift * (dx * -light[0] + dy * -light[1]) * -1.0
+    return 1.0 - lift * (dx * light[0] + dy * light[1])
 
 
 def encode(linear):
@@ -147,26 +151,28 @@ def luma(linear):
     return encode(linear) @ LUMA
 
 
-def tone_at(t, dark=0.10, light=0.93):
+def tone_at(t, dark=0.10, light=0.915):
     """The lightness wanted at t (0..1) along a strip."""
     return dark + (light - dark) * t
 
 
-def settle(strip, white, dark=0.10, light=0.93, across=(9.0, 24.0), strength=0.85):
+def settle(strip, white, across=(6.0, 24.0), strength=0.85):
     """Evens a scanned strip's slow drift: more or less of the same paint, never a tint.
 
-    The local mean lightness (over across px, x then y) is brought towards the
-    wanted ramp by scaling the paint's optical density over white.
+    The mean lightness of columns (over across[0] px) is brought to the wanted
+    ramp, and that of places (over across[1] px) is first brought near it by
+    strength, 0..1, by scaling the paint's optical density over white.
     """
     height, width = strip.shape[:2]
-    wanted = tone_at((np.arange(width) + 0.5) / width, dark, light)
+    wanted = tone_at((np.arange(width) + 0.5) / width)
     density = -np.log(np.clip(strip / white, 1e-4, 4.0))
     sigma_x, sigma_y = across
-    for turn in range(12):
+    for turn in range(14):
         value = luma(white * np.exp(-density))
         column = gaussian_filter(value.mean(0), sigma_x, mode="nearest")
         local = gaussian_filter(value, (sigma_y, sigma_y), mode="reflect")
         slow = column[None, :] + (strength if turn < 6 else 0.0) * (local - gaussian_filter(
             value.mean(0), sigma_y, mode="nearest")[None, :])
-        density *= (np.log(np.clip(wanted, 0.01, 0.985)) / np.log(np.clip(slow, 0.01, 0.985)))[..., None] ** 0.8
+        wrong = np.log(np.clip(wanted, 0.01, 0.985)) / np.log(np.clip(slow, 0.01, 0.985))
+        density *= wrong[..., None] ** 0.8
     return white * np.exp(-density)
