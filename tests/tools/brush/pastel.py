@@ -53,7 +53,7 @@ def blend(colour, sheet, rng, clouds):
         colour[..., channel] = layer
 
 
-def paint(seed=1874):
+def paint(seed=1876):
     """The strip, linear light."""
     rng = np.random.default_rng(seed)
     sheet = Sheet()
