@@ -1,0 +1,60 @@
+#include "core/synthesis/block_grid.h"
+
+namespace chiaro::synthesis {
+
+namespace {
+
+int dividedUp(int value, int divisor) {
+    return (value + divisor - 1) / divisor;
+}
+
+}  // namespace
+
+BlockGrid::Axis::Axis(int length_, int block_, int overlap_, bool wrap)
+    : length(length_), block(block_), even(wrap), stride(block_ - overlap_) {
+    count = even ? dividedUp(length, stride) : std::max(dividedUp(length - overlap_, stride), 1);
+    widestOverlap = even ? block - length / count : overlap_;
+}
+
+bool BlockGrid::Axis::overlap(int i, int j) const {
+    const int apart = std::abs(start(i) - start(j));
+    return apart < block || (even && length - apart < block);
+}
+
+BlockGrid::BlockGrid(int width, int height, int block, int overlap, bool wrap)
+    : m_columns(width, block, overlap, wrap), m_rows(height, block, overlap, wrap) {}
+
+BlockSite BlockGrid::site(int index) const {
+    const glm::ivec2 position(m_columns.start(index % m_columns.count),
+                              m_rows.start(index / m_columns.count));
+    glm::ivec2 size(m_columns.block, m_rows.block);
+    if (!m_columns.even) size = glm::min(size, glm::ivec2(m_columns.length, m_rows.length) - position);
+    return {index, position, size};
+}
+
+std::pair<int, int> BlockGrid::turn(int index) const {
+    const int column = index % m_columns.count, row = index / m_columns.count;
+    return {2 * row + column, row};
+}
+
+std::vector<std::vector<int>> BlockGrid::successors() const {
+    const auto neighbours = [](const Axis& axis) {
+        std::vector<std::vector<int>> lists(std::size_t(axis.count));
+        for (int i = 0; i < axis.count; ++i)
+            for (int j = 0; j < axis.count; ++j)
+                if (axis.overlap(i, j)) lists[std::size_t(i)].push_back(j);
+        return lists;
+    };
+    const auto besides = neighbours(m_columns), beyond = neighbours(m_rows);
+    std::vector<std::vector<int>> later;
+    later.resize(std::size_t(count()));
+    for (int index = 0; index < count(); ++index)
+        for (const int row : beyond[std::size_t(index / m_columns.count)])
+            for (const int column : besides[std::size_t(index % m_columns.count)]) {
+                const int other = row * m_columns.count + column;
+                if (turn(index) < turn(other)) later[std::size_t(index)].push_back(other);
+            }
+    return later;
+}
+
+}  // namespace chiaro::synthesis
