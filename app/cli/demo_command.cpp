@@ -2,6 +2,7 @@
 #include "app/cli/sheet.h"
 #include "core/base/atomic_file.h"
 #include "core/base/resources.h"
+#include "core/scene/mesh_io.h"
 
 #include <spdlog/fmt/fmt.h>
 

@@ -1,0 +1,101 @@
+#include "core/project/project.h"
+
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
+#include "tests/support/support.h"
+
+namespace chiaro::project {
+namespace {
+
+Project everythingChanged(const test::TemporaryFolder& folder) {
+    Project project;
+    Sample& sample = project.samples.emplace_back();
+    sample.name = "Öl \"dry\"";
+    sample.scan = folder / "scans/öl 1.png";
+    sample.strip.crop[2] = {0.9f, 0.8f};
+    sample.strip.quarterTurns = 3;
+    sample.strip.mirror = true;
+    sample.strip.scale = 1.5;
+    sample.gradient.searchScale = 2.5;
+    sample.gradient.matchSpeed = false;
+    sample.gradient.curve.points = {{0, 0}, {0.3f, 0.6f}, {1, 1}};
+    sample.recoloring = gradient::ColorPath{{{0, {0.1f, 0.2f, 0.3f}}, {1, {1, 0.9f, 0.8f}}},
+                                            gradient::ColorPath::Space::Oklab};
+    project.samples.push_back({.name = "second", .scan = folder / "second.tif"});
+    project.mesh = folder / "head.glb";
+    project.objects.push_back({.name = "teeth", .sample = 1, .visible = false, .transform = glm::mat4(2)});
+    project.lights = {{.vector = {0.1f, 0.2f, -0.3f}, .intensity = 0.7f, .wrap = false}};
+    project.frameCamera = false;
+    project.camera = {.azimuth = 12.5f, .elevation = -3, .distance = 1.25f, .target = {1, 2, 3}, .radius = 4};
+    project.levels.count = 6;
+    project.levels.tiling = synthesis::Tiling::Mask;
+    project.levels.quilt.block = 24;
+    project.viewAligned.density = 0.75;
+    return project;
+}
+
+TEST(Project, ReadsBackWhatItWrote) {
+    const test::TemporaryFolder folder;
+    const Project project = everythingChanged(folder);
+    writeProject(folder / "a.chiaro", project);
+    EXPECT_TRUE(readProject(folder / "a.chiaro") == project);
+}
+
+TEST(Project, PathsAreRelativeToTheFile) {
+    const test::TemporaryFolder folder;
+    writeProject(folder / "a.chiaro", everythingChanged(folder));
+    const std::string text = readFile(folder / "a.chiaro", 1 << 20);
+    EXPECT_NE(text.find("\"scans/öl 1.png\""), std::string::npos) << text;
+    EXPECT_EQ(text.find(folder.path().string()), std::string::npos) << text;
+    EXPECT_EQ(text.find("0.1000000"), std::string::npos) << text;
+}
+
+TEST(Project, WritingTwiceGivesTheSameBytes) {
+    const test::TemporaryFolder folder;
+    writeProject(folder / "a.chiaro", everythingChanged(folder));
+    writeProject(folder / "b.chiaro", readProject(folder / "a.chiaro"));
+    EXPECT_EQ(readFile(folder / "a.chiaro", 1 << 20), readFile(folder / "b.chiaro", 1 << 20));
+}
+
+std::string refusal(const std::string& text) {
+    const test::TemporaryFolder folder;
+    writeFileAtomically(folder / "bad.chiaro", text);
+    try {
+        readProject(folder / "bad.chiaro");
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(Project, SaysWhatIsWrongWithAFile) {
+    EXPECT_NE(refusal("").find("is not JSON"), std::string::npos);
+    EXPECT_NE(refusal("{\"chiaro\": 1").find("is not JSON"), std::string::npos);
+    EXPECT_NE(refusal("[]").find("is not an object"), std::string::npos);
+    EXPECT_NE(refusal("{}").find("has no \"chiaro\""), std::string::npos);
+    EXPECT_NE(refusal(R"({"chiaro": 99, "samples": []})").find("newer Chiaro (format 99)"),
+              std::string::npos);
+    EXPECT_NE(refusal(R"({"chiaro": 1, "samples": 3})").find("a list"), std::string::npos);
+    EXPECT_NE(refusal(R"({"chiaro": 1, "samples": [{"name": "a"}]})").find("samples 1: has no \"scan\""),
+              std::string::npos);
+    EXPECT_NE(refusal(R"({"chiaro": 1, "samples": [], "camera": {"elevation": 95}})").find("from -90 to 90"),
+              std::string::npos);
+    EXPECT_NE(refusal(R"({"chiaro": 1, "samples": [], "levels": {"count": 1}})").find("2..32"),
+              std::string::npos);
+    EXPECT_NE(refusal(R"({"chiaro": 1, "samples": [], "lights": [{"vector": [0, 0, 0]}]})").find("not zero"),
+              std::string::npos);
+    EXPECT_NE(
+        refusal(R"({"chiaro": 1, "samples": [], "objects": [{"name": "a", "sample": 0}]})").find("sample"),
+        std::string::npos);
+    EXPECT_EQ(refusal(R"({"chiaro": 1, "samples": []})"), "accepted");
+}
+
+TEST(Project, AFailedSaveLeavesTheOldFile) {
+    const test::TemporaryFolder folder;
+    writeFileAtomically(folder / "file", "old");
+    EXPECT_THROW(writeProject(folder / "file" / "a.chiaro", Project()), Error);
+    EXPECT_EQ(readFile(folder / "file", 10), "old");
+}
+
+}  // namespace
+}  // namespace chiaro::project
