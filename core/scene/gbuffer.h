@@ -14,10 +14,11 @@ namespace chiaro::scene {
 struct SurfaceSample {
     std::uint16_t object = 0;  ///< 1.., 0 is nothing
     float light = 0;           ///< L in [0, 1]
+    friend bool operator==(const SurfaceSample&, const SurfaceSample&) = default;
 };
 
-/// What each pixel's centre sees (§4.1: guide and object ids), and finer samples where a silhouette or an
-/// object border crosses a pixel.
+/// What each pixel's centre (x + 0.5, y + 0.5) sees (§4.1: guide and object ids), and finer samples where a
+/// silhouette, an object border or a sudden change of light crosses a pixel.
 struct GBuffer {
     int width = 0;
     int height = 0;
@@ -26,7 +27,8 @@ struct GBuffer {
     Image<std::uint32_t> faceId;    ///< index in the object's mesh; 0xFFFFFFFF outside
     Image<glm::vec2> barycentrics;  ///< weights of the triangle's second and third vertex
     ScalarImage depth;              ///< distance along the view direction, world units; infinity outside
-    ColorImage normal;              ///< world space, unit, towards the eye; 0 outside
+    ColorImage normal;  ///< world space, unit, interpolated, on the side of the face that the eye sees and
+                        ///< never turned away from the eye; 0 outside
 
     /// Pixels that several surfaces share, in raster order, each with `samplesPerEdge` samples on a fixed
     /// pattern. A final picture averages the shaded samples there; elsewhere the centre speaks for the whole
@@ -39,7 +41,8 @@ struct GBuffer {
 /// The scene's acceleration structure (Embree). Immutable once built; casts from any thread.
 class RayScene {
 public:
-    /// Throws Cancelled.
+    /// Objects that are not visible are left out; ids count them nevertheless. Throws Cancelled; Error when
+    /// there is not enough memory.
     explicit RayScene(const Scene& scene, const Task& task = {});
     ~RayScene();
     RayScene(RayScene&&) noexcept;
@@ -52,8 +55,9 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
-/// Casts the G-buffer of a view, 1..16384 pixels a side, rows in parallel; the bytes do not depend on the
-/// threads. Lights may differ from those the RayScene was built with. Throws Cancelled.
+/// Casts the G-buffer of a view, 1..16384 pixels a side, tiles in parallel; the bytes do not depend on the
+/// threads. Lights may differ from those the RayScene was built with. A back side is lit with the flipped
+/// normal. Throws Cancelled.
 GBuffer castGBuffer(const RayScene& rays, const std::vector<Light>& lights, const Camera& camera, int width,
                     int height, const Task& task = {});
 

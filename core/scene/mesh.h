@@ -24,7 +24,7 @@ struct Mesh {
 struct Bounds {
     glm::vec3 minimum{0};
     glm::vec3 maximum{0};
-    glm::vec3 center() const { return (minimum + maximum) * 0.5f; }
+    glm::vec3 center() const { return minimum * 0.5f + maximum * 0.5f; }
     float radius() const { return glm::length(maximum - minimum) * 0.5f; }
 };
 
@@ -34,7 +34,22 @@ Bounds boundsOf(const Mesh& mesh);
 /// For each position the smallest index of a position equal to it: vertices that are one in space.
 std::vector<std::uint32_t> weldedIndices(const Mesh& mesh);
 
-/// Angle-weighted vertex normals over welded positions. Vertices of zero-area faces only get (0, 0, 1).
+/// Angle-weighted vertex normals over welded positions. Coincident faces count once, so that a sheet modelled
+/// with a front and a back keeps the normals of its first side. Vertices of zero-area faces only get
+/// (0, 0, 1).
 std::vector<glm::vec3> angleWeightedNormals(const Mesh& mesh);
+
+/// The mesh with angle-weighted normals that are smooth except across edges where two faces meet at more than
+/// `creaseDegrees` and across edges of more than two faces; vertices are welded, then split along those.
+/// Triangles keep their order and corners. For files that know faces but no shared vertices.
+Mesh splitAtCreases(const Mesh& mesh, float creaseDegrees);
+
+/// What of a mesh is unusual, after welding equal positions.
+struct Topology {
+    std::size_t degenerateFaces = 0;   ///< without area
+    std::size_t nonManifoldEdges = 0;  ///< edges of more than two faces
+    std::size_t boundaryEdges = 0;     ///< edges of one face
+};
+Topology topologyOf(const Mesh& mesh);
 
 }  // namespace chiaro::scene

@@ -1,0 +1,52 @@
+#include "core/scene/mesh.h"
+
+#include <bit>
+#include <limits>
+
+namespace chiaro::scene {
+
+namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+std::uint64_t hashOf(glm::vec3 point) {
+    // Adding zero makes -0 and 0 one.
+    const glm::uvec3 bits(std::bit_cast<std::uint32_t>(point.x + 0.0f),
+                          std::bit_cast<std::uint32_t>(point.y + 0.0f),
+                          std::bit_cast<std::uint32_t>(point.z + 0.0f));
+    std::uint64_t hash = bits.x * 0x9E3779B97F4A7C15ULL;
+    hash = (hash ^ (hash >> 29) ^ bits.y) * 0xBF58476D1CE4E5B9ULL;
+    hash = (hash ^ (hash >> 32) ^ bits.z) * 0x94D049BB133111EBULL;
+    return hash ^ (hash >> 31);
+}
+
+}  // namespace
+
+Bounds boundsOf(const Mesh& mesh) {
+    Bounds bounds;
+    if (mesh.triangles.empty()) return bounds;
+    bounds.minimum = bounds.maximum = mesh.positions[mesh.triangles[0][0]];
+    for (const Triangle& triangle : mesh.triangles)
+        for (const std::uint32_t vertex : triangle) {
+            bounds.minimum = glm::min(bounds.minimum, mesh.positions[vertex]);
+            bounds.maximum = glm::max(bounds.maximum, mesh.positions[vertex]);
+        }
+    return bounds;
+}
+
+std::vector<std::uint32_t> weldedIndices(const Mesh& mesh) {
+    const std::size_t count = mesh.positions.size();
+    const std::size_t mask = std::bit_ceil(std::max<std::size_t>(count * 2, 16)) - 1;
+    std::vector<std::uint32_t> table(mask + 1, none);
+    std::vector<std::uint32_t> welded(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::size_t slot = hashOf(mesh.positions[i]) & mask;
+        while (table[slot] != none && mesh.positions[table[slot]] != mesh.positions[i])
+            slot = (slot + 1) & mask;
+        if (table[slot] == none) table[slot] = std::uint32_t(i);
+        welded[i] = table[slot];
+    }
+    return welded;
+}
+
+}  // namespace chiaro::scene
