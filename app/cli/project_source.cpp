@@ -1,6 +1,7 @@
 #include "app/cli/project_source.h"
 
 #include "core/base/error.h"
+#include "core/scene/mesh_io.h"
 
 #include <spdlog/fmt/fmt.h>
 
