@@ -21,7 +21,8 @@ Project everythingChanged(const test::TemporaryFolder& folder) {
     sample.gradient.curve.points = {{0, 0}, {0.3f, 0.6f}, {1, 1}};
     sample.recoloring = gradient::ColorPath{{{0, {0.1f, 0.2f, 0.3f}}, {1, {1, 0.9f, 0.8f}}},
                                             gradient::ColorPath::Space::Oklab};
-    project.samples.push_back({.name = "second", .scan = folder / "second.tif"});
+    project.samples.emplace_back().name = "second";
+    project.samples.back().scan = folder / "second.tif";
     project.mesh = folder / "head.glb";
     project.objects.push_back({.name = "teeth", .sample = 1, .visible = false, .transform = glm::mat4(2)});
     project.lights = {{.vector = {0.1f, 0.2f, -0.3f}, .intensity = 0.7f, .wrap = false}};
