@@ -23,10 +23,10 @@ JAW_LINE = sdf.Arch([(0, 8.75), (1.25, 8.35), (2.3, 7.3), (3.1, 5.8), (3.8, 4.2)
                      (4.9, 1.0), (5.1, 0.0)])
 
 # Teeth from the midline: kind, crown height, width along the row, thickness.
-UPPER_TEETH = [("incisor", 1.08, 0.86, 0.72), ("incisor", 0.95, 0.68, 0.62), ("canine", 1.10, 0.78, 0.82),
+UPPER_TEETH = [("incisor", 1.18, 0.90, 0.74), ("incisor", 1.04, 0.72, 0.66), ("canine", 1.18, 0.80, 0.86),
                ("premolar", 0.86, 0.71, 0.92), ("premolar", 0.82, 0.69, 0.92),
                ("molar", 0.78, 1.03, 1.12), ("molar", 0.74, 0.98, 1.10)]
-LOWER_TEETH = [("incisor", 0.92, 0.55, 0.60), ("incisor", 0.95, 0.60, 0.64), ("canine", 1.10, 0.70, 0.78),
+LOWER_TEETH = [("incisor", 0.98, 0.57, 0.62), ("incisor", 1.00, 0.62, 0.66), ("canine", 1.14, 0.72, 0.80),
                ("premolar", 0.88, 0.71, 0.78), ("premolar", 0.84, 0.72, 0.82),
                ("molar", 0.78, 1.12, 1.05), ("molar", 0.74, 1.06, 1.02)]
 UPPER_GUM, LOWER_GUM = -4.05, -5.95  # where bone ends, y
@@ -39,9 +39,9 @@ def vault(p):
     q = mirrored(p, 0.3)
     # narrower towards the forehead
     q[:, 0] /= 1.0 - 0.17 * smoothstep(0.0, 9.5, q[:, 2]) + 0.03 * bump(q[:, 2], -2.0, 4.0)
-    d = ellipsoid(q, (0, 4.9, 0.3), (6.75, 6.95, 8.5))
-    d = join(d, ellipsoid(q, (2.1, 6.0, -2.3), (4.75, 5.0, 5.4)), 1.5)       # parietal
-    d = join(d, ellipsoid(q, (2.1, 6.7, 4.4), (2.9, 2.9, 4.2)), 1.8)         # frontal
+    d = ellipsoid(q, (0, 4.9, 0.3), (6.75, 7.2, 8.5))
+    d = join(d, ellipsoid(q, (2.1, 6.1, -2.2), (4.85, 5.0, 5.3)), 1.6)      # parietal
+    d = join(d, ellipsoid(q, (1.3, 6.4, 4.3), (3.7, 3.4, 4.35)), 2.0)        # frontal
     d = join(d, ellipsoid(q, (0.0, 3.4, -3.6), (4.9, 4.0, 4.75)), 1.5)       # occipital
     d = join(d, ellipsoid(q, (1.9, 0.2, -3.6), (3.0, 2.5, 3.5)), 1.2)        # below the nuchal line
     # the field of the temporal muscle lies a little deeper: the temporal lines
@@ -55,62 +55,63 @@ def orbit_frame(q):
 
     Returns the size (0 at the axis, 1 at the wall) and the depth in cm.
     """
-    rows = sdf.frame((0.30, 0.05, 1.0))
+    rows = sdf.frame((0.26, 0.05, 1.0))
     local = (q - vec(3.3, 1.72, 7.9)) @ (sdf.turn("z", 9.0) @ rows).T
     u, v, w = local.T
     depth = -w
-    shrink = np.sqrt(np.clip(1.0 - np.clip(depth, -0.5, None) / 5.2, 0.02, None))
+    shrink = np.clip(1.0 - np.clip(depth, -0.6, None) / 6.8, 0.05, None) ** 0.72
     # the roof slopes down to an apex low and towards the nose
-    v = v + 0.55 * np.clip(depth, 0, None) * 0.35
-    u = u + 0.10 * np.clip(depth, 0, None)
-    size = (np.abs(u / (2.05 * shrink)) ** 2.7 + np.abs(v / (1.78 * shrink)) ** 2.7) ** (1 / 2.7)
+    v = v + 0.20 * np.clip(depth, 0, None)
+    u = u + 0.07 * np.clip(depth, 0, None)
+    size = (np.abs(u / (2.08 * shrink)) ** 2.8 + np.abs(v / (1.80 * shrink)) ** 2.8) ** (1 / 2.8)
     return size, depth, shrink
 
 
 def orbit(q):
     size, depth, shrink = orbit_frame(q)
-    return clip((size - 1.0) * 1.6 * shrink, depth - 4.9, 0.8)
+    return clip((size - 1.0) * 1.6 * shrink, depth - 6.0, 0.8)
 
 
 def nasal_opening(p):
     """The pear-shaped aperture: an inverted heart, running back."""
     x = smooth_abs(p[:, 0], 0.02)
     y = p[:, 1]
-    low = np.hypot(x - 0.52, (y + 1.45) / 1.05) - 0.70
-    high = np.hypot(x / 0.62, (y + 0.35) / 1.5) - 1.0
+    low = np.hypot(x - 0.58, (y + 1.45) / 1.05) - 0.74
+    high = np.hypot(x / 0.82, (y + 0.6) / 1.6) - 1.0
     flat = join(low, high * 0.62, 0.55)
     depth = 9.6 - p[:, 2]
-    return clip(flat + 0.10 * np.clip(depth, 0, 4), depth - 3.6, 0.7)
+    return clip(flat + 0.14 * np.clip(depth, 0, 4), depth - 3.6, 0.7)
 
 
 def face(p):
     """Upper jaw, cheek bones, brows and nose, before anything is cut away."""
     q = mirrored(p, 0.12)
-    core = ellipsoid(q, (0.0, 0.3, 5.2), (3.9, 4.0, 3.4))
+    core = join(ellipsoid(q, (0.0, 0.3, 5.2), (3.9, 4.0, 3.4)), ellipsoid(q, (4.05, 1.7, 5.0), (1.35, 2.5, 1.6)), 0.8)
     maxilla = ellipsoid(q, (1.55, -1.7, 6.6), (2.15, 2.6, 2.3))
     d = join(core, maxilla, 0.8)
 
     # alveolar process: a wall along the tooth row, with the roots showing
     s, across = UPPER_ROW.unfold(q[:, 0], q[:, 2])
     y = q[:, 1]
-    roots = np.zeros(len(p))
+    roots, bays = np.zeros(len(p)), np.zeros(len(p))
     for centre, (kind, height, width, thick) in zip(tooth_places(UPPER_TEETH), UPPER_TEETH):
+        bays += 0.24 * bump(s, centre, 0.34 * width)
         tall = {"canine": 2.3, "incisor": 1.3}.get(kind, 1.1)
         high = {"canine": 0.26, "incisor": 0.15}.get(kind, 0.13)
         roots += high * bump(s, centre, 0.33 * width) * smoothstep(UPPER_GUM + tall, UPPER_GUM + 0.3, y)
     out = np.where(across > 0, across - roots, -across)
-    wall = sdf.slab(np.maximum(UPPER_GUM - y, y + 1.6), out - 0.58 - 0.06 * (y - UPPER_GUM), 0.22)
-    wall = np.maximum(wall, s - 6.6)
-    d = join(d, wall, 0.55)
+    wall = sdf.slab(np.maximum(UPPER_GUM - 0.12 + bays - y, y + 2.3), out - 0.66 + 0.08 * (y - UPPER_GUM), 0.24)
+    wall = clip(wall, s - 6.35 - 0.25 * (y - UPPER_GUM), 0.9)
+    d = join(d, wall, 0.8)
 
-    # bridge of the nose and the medial rim
-    d = join(d, tube(q, [(0, 3.1, 8.9, 0.75), (0, 2.1, 9.2, 0.62), (0.0, 1.1, 9.9, 0.5), (0.0, 0.75, 10.25, 0.36)], count=8), 0.5)
+    # the medial rim of the orbit
     d = join(d, tube(q, [(0.7, 2.9, 8.8, 0.55), (1.15, 1.4, 8.75, 0.5), (1.45, 0.0, 8.7, 0.5), (1.75, -1.4, 8.6, 0.5),
                          (1.3, -2.6, 9.0, 0.45)], count=10), 0.5)
     # brow: glabella, arches, outer corners
     d = join(d, ellipsoid(q, (0.0, 3.9, 8.7), (1.6, 1.1, 1.25)), 0.8)
     d = join(d, tube(q, [(0.7, 3.5, 9.0, 0.62), (2.0, 4.0, 9.0, 0.62), (3.6, 4.0, 8.35, 0.55), (4.75, 3.4, 7.3, 0.5),
                          (5.25, 2.5, 6.5, 0.48)], count=12), 0.75)
+    d = join(d, ellipsoid(q, (3.7, 4.1, 6.5), (1.75, 1.4, 1.5)), 0.7)
     # cheek bone: outer rim, body, lower rim, buttress to the molars
     rim = tube(q, [(5.25, 2.8, 6.6, 0.5), (5.3, 1.6, 6.2, 0.46), (5.25, 0.5, 6.35, 0.55), (4.9, -0.5, 6.85, 0.72),
                    (3.9, -0.75, 7.6, 0.62), (2.8, -0.6, 8.2, 0.5), (1.7, 0.0, 8.6, 0.4)], count=20)
@@ -120,34 +121,45 @@ def face(p):
     return d
 
 
+def nasal_bones(q):
+    """The bridge: a roof that overhangs the top of the opening."""
+    roof = tube(q, [(0.1, 3.2, 8.7, 0.75), (0.14, 2.3, 8.92, 0.6), (0.26, 1.65, 9.25, 0.5), (0.34, 1.1, 9.62, 0.38)], count=10)
+    margin = tube(q, [(0.40, 1.35, 9.4, 0.36), (0.86, 0.45, 9.12, 0.34), (1.30, -0.6, 8.92, 0.33), (1.58, -1.5, 8.82, 0.32),
+                      (1.25, -2.4, 8.98, 0.30)], count=12)
+    roof = join(roof, margin, 0.25)
+    under = tube(q, [(0.0, 1.0, 8.6, 0.42), (0.0, 0.45, 9.1, 0.42), (0.0, -0.1, 9.6, 0.5)], count=4)
+    return carve(roof, under, 0.15)
+
+
 def cheek_arch(q):
     """The zygomatic arch: a flat strap standing free of the temple."""
-    strap = tube(q, [(5.0, -0.7, 6.5, 0.75), (5.9, -0.55, 5.6, 0.62), (6.5, -0.35, 4.3, 0.5), (6.75, -0.15, 3.0, 0.46),
-                     (6.6, 0.05, 1.7, 0.5), (6.0, 0.25, 0.7, 0.6), (5.6, 0.4, -0.6, 0.6)], stretch=(1.75, 1.0, 1.0), count=18)
+    strap = tube(q, [(5.0, -0.7, 6.5, 0.85), (5.85, -0.6, 5.6, 0.78), (6.42, -0.42, 4.3, 0.62), (6.66, -0.22, 3.0, 0.55),
+                     (6.5, 0.02, 1.7, 0.58), (5.95, 0.25, 0.6, 0.62), (5.5, 0.5, -0.8, 0.5)], stretch=(1.9, 1.0, 1.0), count=18)
     return strap
 
 
 def base(q):
     """What hangs below the brain case."""
-    mastoid = ellipsoid(q, (5.15, -1.1, -1.0), (1.0, 2.0, 1.35), sdf.turn("x", -14.0).T)
-    crest = tube(q, [(5.9, 0.35, 0.6, 0.5), (5.9, 0.6, -0.8, 0.55), (5.6, 1.2, -2.6, 0.5)], stretch=(1.2, 1, 1), count=8)
+    mastoid = join(capsule(q, (5.25, 0.1, -1.3), (5.0, -2.5, -0.45), 1.25, 0.5),
+                   capsule(q, (5.0, 0.2, -2.4), (4.95, -1.2, -1.3), 1.0, 0.8), 0.6)
+    crest = tube(q, [(5.8, 0.35, 0.6, 0.5), (5.85, 0.65, -0.8, 0.5), (5.6, 1.1, -2.4, 0.45), (5.0, 1.9, -4.2, 0.2)], stretch=(1.2, 1, 1), count=10)
     middle = rounded_box(q, (0, -0.8, 2.6), (2.4, 1.6, 3.6), 0.8)
     condyle = ellipsoid(q, (1.25, -2.35, -0.3), (0.55, 0.5, 1.1))
     wing = tube(q, [(1.7, -1.2, 3.6, 0.6), (1.8, -2.6, 3.7, 0.4), (1.9, -3.6, 3.9, 0.28)], stretch=(1.5, 1, 0.8), count=6)
-    nuchal = tube(q, [(0, 0.5, -8.0, 0.55), (1.8, 0.75, -7.3, 0.5), (3.8, 0.6, -5.6, 0.5), (5.0, 0.1, -3.2, 0.5)], count=8)
-    return join_all([join(mastoid, crest, 0.5), middle, condyle, wing, nuchal], 0.6)
+    nuchal = tube(q, [(0, 0.5, -6.85, 0.5), (1.6, 0.8, -6.65, 0.45), (3.6, 0.6, -5.3, 0.42), (4.9, 0.1, -3.0, 0.5)], count=10)
+    return join_all([join(mastoid, crest, 0.7), middle, condyle, wing, nuchal], 0.6)
 
 
 def cranium(p):
     q = mirrored(p)
     soft = mirrored(p, 0.15)
     # temporal fossa: the hollow behind the outer rim of the orbit
-    hollow = ellipsoid(q, (6.9, 1.2, 4.1), (2.35, 4.1, 2.5), sdf.turn("y", 12.0).T)
+    hollow = ellipsoid(q, (7.0, 1.2, 4.0), (2.35, 4.1, 2.5), sdf.turn("y", 12.0).T)
     case = carve(vault(p), hollow, 1.2)
-    front = carve(face(p), ellipsoid(q, (6.6, 0.6, 4.0), (2.2, 3.6, 2.0), sdf.turn("y", 10.0).T), 0.5)
+    front = carve(face(p), ellipsoid(q, (6.95, 0.6, 3.9), (2.2, 3.6, 2.0), sdf.turn("y", 10.0).T), 0.5)
     front = carve(front, ellipsoid(q, (5.2, -3.4, 4.4), (1.75, 2.9, 1.9)), 0.5)
     d = join(case, front, 0.9)
-    d = join(d, base(soft), 0.5)
+    d = join(d, base(soft), 0.75)
     d = join(d, cheek_arch(q), 0.45)
     # canine fossa, ear, jaw joint, palate, great foramen
     d = carve(d, sphere(q, vec(3.35, -1.95, 8.75), 1.0), 0.7)
@@ -155,10 +167,13 @@ def cranium(p):
     d = carve(d, ellipsoid(q, (5.0, -0.75, 1.4), (1.2, 0.75, 0.75)), 0.3)
     d = carve(d, ellipsoid(soft, (0, -4.3, 5.9), (2.35, 1.3, 3.0)), 0.5)
     d = carve(d, ellipsoid(soft, (0, -2.6, -2.0), (1.45, 1.6, 1.75)), 0.4)
+    for hole, size in (((2.95, -1.15, 8.35), 0.2), ((2.15, 3.45, 9.15), 0.26), ((5.55, -0.6, 7.0), 0.12)):
+        d = carve(d, sphere(q, vec(*hole), size), 0.2)
     # sockets and nose
     d = carve(d, orbit(q), 0.28)
     d = carve(d, nasal_opening(p), 0.2)
-    septum = sdf.slab(np.maximum(np.maximum(-2.5 - p[:, 1], p[:, 1] - 1.2), p[:, 2] - 8.6 + 0.25 * (p[:, 1] + 1.0) ** 2),
+    d = join(d, nasal_bones(mirrored(p, 0.12)), 0.45)
+    septum = sdf.slab(np.maximum(np.maximum(-2.5 - p[:, 1], p[:, 1] - 1.1), p[:, 2] - 7.9 + 0.12 * p[:, 1]),
                       np.abs(p[:, 0] - 0.06 * np.sin(p[:, 1] * 1.5)) - 0.11, 0.08)
     d = join(d, np.maximum(septum, 5.0 - p[:, 2]), 0.15)
     spine = capsule(soft, (0, -2.45, 9.0), (0, -2.3, 9.75), 0.32, 0.12)
@@ -170,14 +185,15 @@ def cranium(p):
 JAW_OUTLINE = sdf.closed_curve([
     (-2.0, -8.75), (0, -8.8), (1.5, -8.65), (3.0, -8.25), (5.0, -7.7), (6.5, -7.35), (7.8, -7.1), (8.75, -6.45),
     (9.15, -5.3), (9.15, -3.6), (9.35, -1.9), (9.55, -0.8), (9.2, -0.3), (8.75, -0.6), (8.5, -1.3), (7.75, -2.05),
-    (7.0, -1.6), (6.55, -0.65), (6.2, -0.8), (6.05, -2.4), (5.7, -4.1), (5.2, -5.4), (4.5, -5.95), (3.0, -6.0),
-    (1.5, -5.95), (0, -5.9), (-2.0, -5.9)], 4)
+    (7.0, -1.6), (6.55, -0.65), (6.2, -0.8), (6.05, -2.4), (5.7, -4.1), (5.2, -5.4), (4.5, -5.95), (3.0, -5.8),
+    (1.5, -5.75), (0, -5.7), (-2.0, -5.7)], 4)
 
 
 def jaw(p):
     q = mirrored(p, 0.1)
     y = q[:, 1]
     s, across = JAW_LINE.unfold(q[:, 0], q[:, 2])
+    row, _ = LOWER_ROW.unfold(q[:, 0], q[:, 2])
     ramus = smoothstep(4.6, 7.0, s)
     # the tooth row leans in at the back, the angle flares out
     lean = 0.5 * smoothstep(-7.6, -5.6, y) * smoothstep(1.5, 4.5, s) * (1.0 - smoothstep(5.0, 6.5, s))
@@ -185,13 +201,15 @@ def jaw(p):
     across = across + lean - flare
     half = 0.62 * (1 - ramus) + 0.30 * ramus
     half = half + 0.12 * bump(y, -8.2, 0.8) * (1 - ramus)
-    roots = np.zeros(len(p))
+    roots, bays = np.zeros(len(p)), np.zeros(len(p))
+    # the outline runs along the jaw, the teeth along their own, shorter row
     for centre, (kind, height, width, thick) in zip(tooth_places(LOWER_TEETH), LOWER_TEETH):
+        bays += 0.22 * bump(row, centre, 0.34 * width)
         tall = {"canine": 1.8}.get(kind, 1.1)
         high = {"canine": 0.2, "incisor": 0.12}.get(kind, 0.10)
-        roots += high * bump(s, centre, 0.33 * width) * smoothstep(LOWER_GUM - tall, LOWER_GUM - 0.3, y)
+        roots += high * bump(row, centre, 0.33 * width) * smoothstep(LOWER_GUM - tall, LOWER_GUM - 0.3, y)
     roots *= across > 0
-    body = sdf.slab(sdf.outline(s, y, JAW_OUTLINE), np.abs(across) - half - roots, 0.26)
+    body = sdf.slab(np.maximum(sdf.outline(s, y, JAW_OUTLINE), np.where(s < 5.0, y - LOWER_GUM - 0.14 + bays, -1.0)), np.abs(across) - half - roots, 0.26)
     # condyles, chin, the oblique line
     d = join(body, ellipsoid(q, (4.95, -0.55, 1.35), (1.0, 0.48, 0.5), sdf.turn("y", 12.0).T), 0.45)
     d = join(d, capsule(q, (4.9, -0.9, 1.35), (4.85, -2.4, 1.6), 0.42, 0.3), 0.5)
@@ -205,7 +223,7 @@ def jaw(p):
 
 # --- teeth -----------------------------------------------------------------
 
-def tooth_places(row, start=0.02, gap=0.015):
+def tooth_places(row, start=0.02, gap=0.0):
     """Arc lengths of the crowns' centres along the row."""
     s, out = start, []
     for _, _, width, _ in row:
@@ -218,7 +236,7 @@ def tooth(p, kind, height, width, thick):
     """One tooth; x along the row, y from the biting edge to the root, z outward."""
     x, y, z = p.T
     t = np.clip(y / height, -0.3, 1.3)
-    w = 0.5 * width * (1.0 - 0.24 * smoothstep(0.3, 1.1, t))
+    w = 0.5 * width * (1.0 - (0.16 if kind == "incisor" else 0.22) * smoothstep(0.3, 1.1, t))
     d = 0.5 * thick * (1.0 - 0.12 * smoothstep(0.6, 1.1, t))
     if kind in ("incisor", "canine"):
         edge = 0.24 if kind == "incisor" else 0.42
@@ -228,7 +246,7 @@ def tooth(p, kind, height, width, thick):
         w = w * (0.93 + 0.07 * smoothstep(0.0, 0.35, t))
         d = d * (0.80 + 0.20 * smoothstep(0.0, 0.5, t))
     u, k = x / w, z / d
-    n = 3.2 if kind == "molar" else 2.6
+    n = {"molar": 3.4, "incisor": 3.0}.get(kind, 2.6)
     side = ((np.abs(u) ** n + np.abs(k) ** n + 1e-9) ** (1 / n) - 1.0) * np.minimum(w, d)
     if kind == "incisor":
         top = 0.05 * u * u
@@ -238,7 +256,7 @@ def tooth(p, kind, height, width, thick):
         top = 0.20 * bump(k, -0.05, 0.30) + 0.16 * u * u + 0.08 * smoothstep(0.2, -0.6, k)
     else:
         top = 0.15 * bump(k, 0.0, 0.26) + 0.10 * bump(u, 0.05, 0.20) + 0.05 * u * u
-    crown = clip(side, top - y, 0.13)
+    crown = clip(side, top - y, 0.09 if kind == "incisor" else 0.13)
     crown = clip(crown, y - height * 1.12, 0.25)
     root = capsule(p, (0, height * 0.85, 0), (0, height + 0.7, -0.05), 0.36 * min(width, thick), 0.2 * min(width, thick))
     if kind == "molar":

@@ -10,7 +10,7 @@ from . import sdf
 from .polygonise import Mesh, face_cross, sculpt
 from .sdf import bump, capsule, carve, clip, closed_curve, ellipsoid, join, smoothstep, tube, vec
 
-TABLE_RADIUS, TABLE_THICKNESS = 4.3, 0.34
+TABLE_RADIUS, TABLE_THICKNESS = 3.6, 0.32
 
 
 def turned(p, profile, x=None, z=None):
@@ -19,7 +19,7 @@ def turned(p, profile, x=None, z=None):
     return sdf.outline(r, p[:, 1], profile)
 
 
-def spun(points, per_segment=6):
+def spun(points, per_segment=12):
     """A smooth outline from half a profile, mirrored over the axis."""
     half = np.asarray(points, dtype=float)
     other = half[::-1] * (-1.0, 1.0)
@@ -28,11 +28,36 @@ def spun(points, per_segment=6):
 
 # --- things ----------------------------------------------------------------
 
-def table(p):
-    r = np.hypot(p[:, 0], p[:, 2])
-    top = sdf.slab(r - TABLE_RADIUS, np.abs(p[:, 1] + TABLE_THICKNESS / 2) - TABLE_THICKNESS / 2, 0.15)
-    groove = np.hypot(r - TABLE_RADIUS, p[:, 1] + TABLE_THICKNESS * 0.62) - 0.045
-    return carve(top, groove, 0.06)
+def lathe(profile, segments):
+    """A mesh turned about y; `profile` rows are (r, y, nr, ny), from the axis above to the axis below."""
+    prof = np.asarray(profile, dtype=float)
+    ring, n = prof[1:-1], segments
+    angle = 2 * np.pi * np.arange(n) / n
+    turn = np.stack([np.sin(angle), np.cos(angle)], axis=1)
+
+    def swept(r, y):
+        return np.stack([np.outer(r, turn[:, 0]), np.repeat(y[:, None], n, axis=1), np.outer(r, turn[:, 1])], -1).reshape(-1, 3)
+
+    v = np.vstack([swept(ring[:, 0], ring[:, 1]), [0, prof[0, 1], 0], [0, prof[-1, 1], 0]])
+    normals = np.vstack([swept(ring[:, 2], ring[:, 3]), [0, 1, 0], [0, -1, 0]])
+    m = len(ring)
+    here, there = np.arange(n), (np.arange(n) + 1) % n
+    f = [np.stack([np.full(n, m * n), here, there], 1),
+         np.stack([np.full(n, m * n + 1), (m - 1) * n + there, (m - 1) * n + here], 1)]
+    for i in range(m - 1):
+        p, q = i * n + here, i * n + there
+        f += [np.stack([p, p + n, q], 1), np.stack([q, p + n, q + n], 1)]
+    return Mesh(v, np.vstack(f), normals)
+
+
+def table():
+    """A round top with a bull-nosed edge."""
+    half = TABLE_THICKNESS / 2
+    t = np.linspace(np.pi / 2, -np.pi / 2, 17)
+    edge = np.stack([TABLE_RADIUS - half + half * np.cos(t), half * np.sin(t) - half, np.cos(t), np.sin(t)], 1)
+    rows = [(0.0, 0.0, 0, 1)] + [(r, 0.0, 0, 1) for r in (0.4, 1.2, 2.0, 2.8)] + edge.tolist()
+    rows += [(r, -2 * half, 0, -1) for r in (2.4, 1.2, 0.4)] + [(0.0, -2 * half, 0, -1)]
+    return lathe(rows, 108)
 
 
 JUG_OUTSIDE = spun([(0.0, 0.0), (0.45, 0.0), (0.78, 0.02), (0.82, 0.12), (0.80, 0.2), (1.06, 0.62), (1.2, 1.1), (1.1, 1.6), (0.82, 2.1),
@@ -87,7 +112,7 @@ def bowl(p):
     r = np.hypot(p[:, 0], p[:, 2])
     d = clip(turned(p, BOWL_OUTSIDE), p[:, 1] - 1.02, 0.05)
     d = join(d, np.hypot(r - 1.35, p[:, 1] - 1.0) - 0.08, 0.06)
-    d = join(d, np.hypot(r - 1.235, p[:, 1] - 0.66) - 0.03, 0.07)
+    d = join(d, np.hypot(r - 1.235, p[:, 1] - 0.66) - 0.05, 0.09)
     return carve(d, turned(p, BOWL_INSIDE), 0.05)
 
 
@@ -127,7 +152,7 @@ def lemon(p):
 
 def cloth_surface(u, v):
     """Middle of the cloth: u in [-1, 1] across, v in [0, 1] from the table to the hem."""
-    start, drop = 1.15, 2.5
+    start, drop = 1.15, 2.7
     bend = 0.30                                   # radius over the table's edge
     edge = TABLE_RADIUS - bend + 0.05
     flat_run = edge - start
@@ -137,17 +162,17 @@ def cloth_surface(u, v):
     on_top = np.minimum(run, flat_run)
     over = np.clip(run - flat_run, 0.0, arc) / bend
     down = np.maximum(run - flat_run - arc, 0.0)
-    wide = 0.36 + 0.06 * smoothstep(0.0, 3.0, run)
+    wide = 0.42 + 0.07 * smoothstep(0.0, 3.0, run)
     phi = u * wide + 0.05 * np.sin(2.4 * v + 0.6) * (1 - u * u)
     rho = start + on_top + bend * np.sin(over)
     y = 0.06 - bend * (1.0 - np.cos(over)) - down
     # pleats: gathered ridges on the table that open into hanging folds
-    fan = phi / 0.40
+    fan = phi / 0.46
     wave = (0.55 * np.cos(8.3 * fan + 0.9 * np.sin(1.9 * v)) + 0.30 * np.cos(13.0 * fan + 1.3 + 0.8 * v)
             + 0.25 * np.cos(4.1 * fan - 0.7))
     wave = 0.5 + 0.5 * np.tanh(1.2 * wave)
-    lying = 0.20 * smoothstep(0.2, 2.8, run) * (1.0 - 0.45 * smoothstep(flat_run * 0.55, flat_run, run))
-    falling = 0.11 + 0.30 * smoothstep(0.0, 1.9, down)
+    lying = 0.24 * smoothstep(0.2, 2.8, run) * (1.0 - 0.45 * smoothstep(flat_run * 0.55, flat_run, run))
+    falling = 0.11 + 0.46 * smoothstep(0.0, 1.9, down)
     ridge = 0.10 * np.exp(-((fan + 0.35 - 0.6 * v) / 0.14) ** 2) + 0.07 * np.exp(-((fan - 0.5 + 0.3 * v) / 0.12) ** 2)
     mix = over / (np.pi / 2)
     lift = (lying * wave + ridge) * (1.0 - mix) + falling * wave * mix
@@ -210,20 +235,19 @@ def build(quality=1.0):
         mesh = sculpt(field, lo, hi, h / quality, faces=int(faces * min(1, quality ** 2)))
         return name, mesh.mapped(np.eye(3) if turn is None else turn, np.asarray(at, dtype=float))
 
-    r = TABLE_RADIUS + 0.2
     spin = sdf.turn
     parts = [
-        make("table", table, (-r, -0.6, -r), (r, 0.3, r), 0.07, 5000, (0, 0, 0)),
+        ("table", table()),
         make("jug", jug, (-2.1, -0.25, -1.5), (1.7, 3.9, 1.5), 0.045, 11000, (-1.65, 0.0, -0.75), spin("y", 205)),
         make("bottle", bottle, (-0.9, -0.2, -0.9), (0.9, 4.6, 0.9), 0.045, 6000, (0.35, 0.0, -1.75)),
         make("bowl", bowl, (-1.7, -0.2, -1.7), (1.7, 1.4, 1.7), 0.045, 8000, (1.85, 0.0, -0.15)),
-        make("apple", apple, (-0.95, -0.2, -0.95), (0.95, 1.7, 0.95), 0.04, 4000, (2.3, 0.42, -0.3), spin("z", -22) @ spin("y", 40)),
-        make("lemon", lemon, (-1.1, -0.8, -0.8), (1.1, 0.8, 0.8), 0.04, 2600, (1.25, 0.93, 0.05), spin("y", 55) @ spin("z", 18)),
+        make("apple", apple, (-0.95, -0.2, -0.95), (0.95, 1.7, 0.95), 0.04, 4000, (2.15, 0.48, -0.3), spin("z", -22) @ spin("y", 40)),
+        make("lemon", lemon, (-1.1, -0.8, -0.8), (1.1, 0.8, 0.8), 0.04, 2600, (1.2, 1.35, 0.1), spin("y", 55) @ spin("z", 18)),
         make("pear", pear, (-1.05, -0.2, -1.05), (1.05, 2.8, 1.05), 0.04, 5000, (-0.35, 0.0, 0.75), spin("y", -20)),
-        make("windfall", apple, (-0.95, -0.2, -0.95), (0.95, 1.7, 0.95), 0.04, 4000, (0.75, 0.66, 1.75),
+        make("windfall", apple, (-0.95, -0.2, -0.95), (0.95, 1.7, 0.95), 0.04, 4000, (0.75, 0.566, 1.6),
              spin("y", -35) @ spin("z", -78) @ np.eye(3)),
     ]
-    sheet = pillow(cloth_surface, int(72 * quality), int(56 * quality), 0.035, 0.02)
+    sheet = pillow(cloth_surface, int(66 * quality), int(52 * quality), 0.035, 0.02)
     parts.append(("cloth", sheet.mapped(spin("y", -24))))
     lo = np.min([m.vertices.min(axis=0) for _, m in parts], axis=0)
     hi = np.max([m.vertices.max(axis=0) for _, m in parts], axis=0)
