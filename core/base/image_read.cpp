@@ -8,6 +8,7 @@
 
 #include <fcntl.h>
 #include <mutex>
+#include <new>
 #include <unistd.h>
 
 namespace chiaro {
@@ -77,14 +78,18 @@ public:
     }
 
 private:
+    /// The library's reason: its first line, without the file's name, which stands in front already.
     Error damaged(std::string reason) const {
-        reason = reason.substr(0, reason.find('\n'));
         const std::string name = m_path.string();
-        if (const auto at = reason.find(name); at != std::string::npos) reason.replace(at, name.size(), "it");
-        if (reason.size() > 160) reason.resize(160);
-        const std::string because = reason.empty() ? "" : " (" + reason + ")";
-        return Error(name, fmt::format("the {} file is damaged or cut off{}", displayName(m_format), because),
-                     "copy or save the picture again");
+        reason = reason.substr(0, reason.find('\n'));
+        for (const std::string& mention : {" (\"" + name + "\")", " \"" + name + "\"", name})
+            if (const auto at = reason.find(mention); at != std::string::npos)
+                reason.erase(at, mention.size());
+        while (!reason.empty() && reason.back() == '.') reason.pop_back();
+        return Error(name,
+                     fmt::format("the {} file can't be decoded{}", displayName(m_format),
+                                 reason.empty() ? "" : " (" + reason.substr(0, 160) + ")"),
+                     "it may be damaged or cut off, so copy it or save it again");
     }
 
     void checkSize(int width, int height) const {
@@ -169,7 +174,11 @@ private:
 }  // namespace
 
 DecodedImage readImage(const fs::path& path, const ImageLimits& limits) {
-    return PictureReader(path, limits).read();
+    try {
+        return PictureReader(path, limits).read();
+    } catch (const std::bad_alloc&) {
+        throw Error(path.string(), "takes more memory than there is", "make the picture smaller");
+    }
 }
 
 ImageMetadata readImageMetadata(const fs::path& path) {

@@ -10,8 +10,9 @@ const ParameterTable<GradientParams>& GradientParams::table() {
     static const auto table =
         ParameterTable<GradientParams>()
             .add(&GradientParams::searchScale,
-                 ParameterSpec::real("search-scale", "Search scale", "", 1, 4, 0.1,
-                                     "Enlarge it when a strongly curved colour path loses colours."))
+                 ParameterSpec::real(
+                     "search-scale", "Search scale", "", 1, 4, 0.05,
+                     "Enlarge it a little, to 1.2 say, when a strongly curved colour path loses colours."))
             .add(&GradientParams::matchSpeed,
                  ParameterSpec::boolean("match-speed", "Match speed",
                                         "Fits the speed of the colour change to the strip; off, the drawn "
