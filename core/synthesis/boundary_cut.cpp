@@ -36,33 +36,37 @@ private:
     int m_height;
 };
 
-// How deep texture reaches into each line: up to its last texture pixel before the first free one. A line
-// without a free pixel is as deep as the nearest line that has one, so that the path runs on into the
-// corners.
-std::vector<int> textureDepths(const Image<Under>& under, const SideView& view) {
-    std::vector<int> depths(std::size_t(view.lines()), -1);
-    for (int line = 0; line < view.lines(); ++line) {
-        int last = 0;
-        for (int depth = 0; depth < view.depth(); ++depth) {
-            const glm::ivec2 cell = view.cell(line, depth);
-            if (under(cell.x, cell.y) == Under::Texture) last = depth + 1;
-            if (under(cell.x, cell.y) != Under::Nothing) continue;
-            depths[std::size_t(line)] = last;
-            break;
-        }
+// How deep texture reaches into a line: up to its last texture pixel before the first free one, and one pixel
+// further where the picture ends there. None when no pixel is free.
+std::optional<int> textureDepth(const Image<Under>& under, const SideView& view, int line) {
+    const auto at = [&](int depth) {
+        const glm::ivec2 cell = view.cell(line, depth);
+        return under(cell.x, cell.y);
+    };
+    int end = 0;
+    for (int depth = 0; depth < view.depth(); ++depth) {
+        if (at(depth) == Under::Texture) end = depth + 1;
+        if (at(depth) == Under::Nothing) return end > 0 && at(end) == Under::Outside ? end + 1 : end;
     }
-    std::vector<int> filled = depths;
-    for (int line = 0; line < view.lines(); ++line)
-        for (int away = 1; filled[std::size_t(line)] < 0; ++away) {
-            const int before = line - away, after = line + away;
-            if (before < 0 && after >= view.lines())
-                filled[std::size_t(line)] = 0;
-            else if (before >= 0 && depths[std::size_t(before)] >= 0)
-                filled[std::size_t(line)] = depths[std::size_t(before)];
-            else if (after < view.lines() && depths[std::size_t(after)] >= 0)
-                filled[std::size_t(line)] = depths[std::size_t(after)];
-        }
-    return filled;
+    return std::nullopt;
+}
+
+// The depths of all lines. A line without a free pixel is as deep as the nearest line that has one, so that
+// the path runs on into the corners.
+std::vector<int> textureDepths(const Image<Under>& under, const SideView& view) {
+    std::vector<std::optional<int>> found;
+    for (int line = 0; line < view.lines(); ++line) found.push_back(textureDepth(under, view, line));
+    const auto at = [&](int line) {
+        return line >= 0 && line < view.lines() ? found[std::size_t(line)] : std::nullopt;
+    };
+    std::vector<int> depths;
+    for (int line = 0; line < view.lines(); ++line) {
+        std::optional<int> nearest = at(line);
+        for (int away = 1; !nearest && away < view.lines(); ++away)
+            nearest = at(line - away) ? at(line - away) : at(line + away);
+        depths.push_back(nearest.value_or(0));
+    }
+    return depths;
 }
 
 // The path of least error along a side: the depth in each line at which the block begins. Every line's path
@@ -97,10 +101,11 @@ private:
     void extend(int line, int depth) {
         float before = 0;
         if (line > 0) {
-            // Where the texture's edge jumps, the path jumps with it.
-            const bool free = m_depths[std::size_t(line - 1)] == 0 || m_depths[std::size_t(line)] == 0;
-            const int low = free ? first(line - 1) : std::clamp(depth - 1, first(line - 1), last(line - 1));
-            const int high = free ? last(line - 1) : std::clamp(depth + 1, first(line - 1), last(line - 1));
+            // Where the texture's edge jumps, the path may jump as far.
+            const int jump = std::abs(m_depths[std::size_t(line)] - m_depths[std::size_t(line - 1)]);
+            const int step = std::max(jump, 1);
+            const int low = std::clamp(depth - step, first(line - 1), last(line - 1));
+            const int high = std::clamp(depth + step, first(line - 1), last(line - 1));
             int best = low;
             for (int other = low + 1; other <= high; ++other)
                 if (m_cost[index(line - 1, other)] < m_cost[index(line - 1, best)]) best = other;

@@ -51,11 +51,11 @@ struct QuiltTask {
     const ColorImage* source = nullptr;  ///< difference RGB, at least a block large (see fittedBlock)
     int width = 0, height = 0;           ///< of the picture
     bool wrap = false;                   ///< make it tile: the last blocks meet the first, in both directions
-    const PixelMask* valid = nullptr;         ///< pixels to make; all without it. Others never count nor change
+    const PixelMask* valid = nullptr;    ///< pixels to make; all without it. Others never count nor change
     const ColorImage* filled = nullptr;  ///< pixels that are there already,
-    const PixelMask* filledWhere = nullptr;   ///< and where
-    const ColorImage* previous = nullptr;  ///< a picture to stay close to: the frame before
-    const PixelMask* previousWhere = nullptr;   ///< where that says something; everywhere without it
+    const PixelMask* filledWhere = nullptr;    ///< and where
+    const ColorImage* previous = nullptr;      ///< a picture to stay close to: the frame before
+    const PixelMask* previousWhere = nullptr;  ///< where that says something; everywhere without it
     double previousWeight = 0;  ///< of its mean squared error, against the overlap's mean squared error
     /// Which source positions a block may come from, of those at which it lies inside the source; all without
     /// it. Called from several threads at once.

@@ -45,8 +45,8 @@ HWY_INLINE Vector broadcast(std::uint32_t quad) {
 
 // Four products a lane and their sum in one instruction.
 template <int length>
-CHIARO_KERNEL HWY_INLINE void addPiece(Vector (&sums)[rowsAtOnce], const std::uint32_t* quads, std::ptrdiff_t rowPitch,
-                         const TemplatePiece& piece) {
+CHIARO_KERNEL HWY_INLINE void addPiece(Vector (&sums)[rowsAtOnce], const std::uint32_t* quads,
+                                       std::ptrdiff_t rowPitch, const TemplatePiece& piece) {
     Vector factors[length];
 #pragma GCC unroll 8
     for (int i = 0; i < length; ++i) factors[i] = broadcast(piece.quads[std::size_t(i)]);
@@ -89,8 +89,8 @@ HWY_INLINE Vector widened(Vector sums) {
 }
 
 template <int length>
-CHIARO_KERNEL HWY_INLINE void addPiece(Vector (&sums)[rowsAtOnce], const std::uint32_t* quads, std::ptrdiff_t rowPitch,
-                         const TemplatePiece& piece) {
+CHIARO_KERNEL HWY_INLINE void addPiece(Vector (&sums)[rowsAtOnce], const std::uint32_t* quads,
+                                       std::ptrdiff_t rowPitch, const TemplatePiece& piece) {
 #pragma GCC unroll 4
     for (int i = 0; i + 1 < length; i += 2) {
         const Vector upper = broadcast(piece.quads[std::size_t(i)]);
@@ -126,8 +126,8 @@ HWY_INLINE Vector byteProduct(Vector source, Vector factor) {
 }
 
 template <int length>
-CHIARO_KERNEL HWY_INLINE void addPiece(Vector (&sums)[rowsAtOnce], const std::uint32_t* quads, std::ptrdiff_t rowPitch,
-                         const TemplatePiece& piece) {
+CHIARO_KERNEL HWY_INLINE void addPiece(Vector (&sums)[rowsAtOnce], const std::uint32_t* quads,
+                                       std::ptrdiff_t rowPitch, const TemplatePiece& piece) {
     for (int i = 0; i < length; ++i) {
         const Vector factor = broadcast(piece.quads[std::size_t(i)]);
         for (int y = 0; y < rowsAtOnce; ++y) {
@@ -144,7 +144,7 @@ CHIARO_KERNEL HWY_INLINE void addPiece(Vector (&sums)[rowsAtOnce], const std::ui
 // All pieces of one length, for a vector of candidates in each of rowsAtOnce rows.
 template <int length>
 CHIARO_KERNEL HWY_NOINLINE void addPieces(std::int32_t* HWY_RESTRICT totals, const std::uint32_t* quads,
-                            std::ptrdiff_t rowPitch, std::span<const TemplatePiece> pieces) {
+                                          std::ptrdiff_t rowPitch, std::span<const TemplatePiece> pieces) {
     const auto stride = std::ptrdiff_t(hn::Lanes(lanes));
     Vector sums[rowsAtOnce];
 #pragma GCC unroll 16
