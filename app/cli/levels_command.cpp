@@ -18,7 +18,6 @@ struct LevelsCommand {
 
     void run(Session& session) {
         session.start();
-        params.quilt.seed = session.flags.seed;
         const Task task = session.task("levels");
         const ColorImage strip = source.readStrip();
         const gradient::Separation separation =
@@ -27,7 +26,7 @@ struct LevelsCommand {
         const synthesis::LevelStack stack =
             synthesis::makeLevels(strip, separation.gradient, params, task.part(0.1, 1));
         const double seconds = stopwatch.lap();
-        write(stack, separation.gradient, session.flags.seed);
+        write(stack, separation.gradient);
         session.finish({{"count", params.count},
                         {"size", params.size},
                         {"blocks", stack.report.blocks},
@@ -38,12 +37,10 @@ struct LevelsCommand {
                                    stack.report.blocks, seconds, stack.report.overlapError));
     }
 
-    void write(const synthesis::LevelStack& stack, const gradient::Gradient& gradient,
-               std::uint64_t seed) const {
+    void write(const synthesis::LevelStack& stack, const gradient::Gradient& gradient) const {
         nlohmann::json parameters = source.parameters();
         parameters.update(parametersToJson(params));
         parameters.update(parametersToJson(params.quilt));
-        parameters["seed"] = seed;
         const ImageMetadata metadata = pictureMetadata("levels", parameters);
         for (std::size_t i = 0; i < stack.levels.size(); ++i)
             writeImage(folder / fmt::format("level_{}.exr", i), stack.levels[i], metadata);

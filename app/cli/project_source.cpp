@@ -141,11 +141,10 @@ void ProjectSource::addMethodFlags(CLI::App& command) {
         command, +[](project::Project& project) -> synthesis::QuiltParams& { return project.levels.quilt; });
 }
 
-project::Project ProjectSource::load(std::uint64_t seed) const {
+project::Project ProjectSource::load() const {
     project::Project project;
     if (!m_path.empty()) project = project::readProject(m_path);
     for (const Override& apply : m_overrides) apply(project);
-    project.levels.quilt.seed = seed;
     if (project.mesh.empty()) throw Error("mesh", "none is given", "name a project or --mesh FILE");
     if (project.samples.empty()) throw Error("sample", "none is given", "name a project or --sample STRIP");
     return project;

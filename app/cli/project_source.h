@@ -13,8 +13,8 @@ public:
     /// Adds the flags; the source must outlive the parse.
     void addTo(CLI::App& command);
 
-    /// The project with the flags applied, and `seed` in every synthesis. Throws Error.
-    project::Project load(std::uint64_t seed) const;
+    /// The project with the flags applied. Throws Error.
+    project::Project load() const;
 
 private:
     using Override = std::function<void(project::Project&)>;

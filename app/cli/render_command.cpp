@@ -34,7 +34,7 @@ struct RenderCommand {
         const Task task = session.task("render");
         Seconds seconds;
         Stopwatch stopwatch;
-        LoadedProject loaded = loadProject(source.load(session.flags.seed), task.part(0, 0.7));
+        LoadedProject loaded = loadProject(source.load(), task.part(0, 0.7));
         for (const project::Paint& paint : loaded.paints) seconds.synthesis += paint.levelSeconds;
         seconds.load = stopwatch.lap() - seconds.synthesis;
         const scene::RayScene rays(loaded.scene, task.part(0.7, 0.75));
@@ -45,14 +45,13 @@ struct RenderCommand {
         const methods::Frame frame =
             project::renderFrame(loaded.project, loaded.scene, loaded.paints, gbuffer, task.part(0.9, 1));
         seconds.shade = stopwatch.lap();
-        const ImageMetadata metadata =
-            pictureMetadata("render", parameters(loaded.project, pixels, session.flags.seed));
+        const ImageMetadata metadata = pictureMetadata("render", parameters(loaded.project, pixels));
         writePicture(frame.picture, metadata);
         if (!auxiliary.empty()) writeAuxiliary(gbuffer, frame, metadata);
         report(session, loaded, gbuffer, seconds);
     }
 
-    nlohmann::json parameters(const project::Project& project, glm::ivec2 pixels, std::uint64_t seed) const {
+    nlohmann::json parameters(const project::Project& project, glm::ivec2 pixels) const {
         nlohmann::json json{
             {"method", project.method},
             {"size", {pixels.x, pixels.y}},

@@ -15,7 +15,8 @@ namespace chiaro::cli {
 void Session::addCommonFlags(CLI::App& command) {
     command.add_flag("--json", flags.json, "Print one JSON object on stdout instead of text");
     command.add_flag("--quiet", flags.quiet, "Print nothing but errors");
-    command.add_option("--seed", flags.seed, "Seed of every random choice (default 1)");
+    if (!command.get_option_no_throw("--seed"))
+        command.add_option("--seed", flags.seed, "Seed of every random choice (default 1)");
     command
         .add_option("--threads", flags.threads,
                     "Threads; the result never depends on them (default: all cores)")

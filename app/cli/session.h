@@ -17,8 +17,8 @@ namespace chiaro::cli {
 struct CommonFlags {
     bool json = false;
     bool quiet = false;
-    int threads = 0;  ///< 0: all cores
-    std::uint64_t seed = 1;
+    int threads = 0;         ///< 0: all cores
+    std::uint64_t seed = 1;  ///< of commands whose parameters have no seed of their own
 };
 
 /// One run of one command: its flags, its way to report, and its cancellation.
@@ -28,6 +28,7 @@ public:
 
     CommonFlags flags;
 
+    /// To be called last: a command whose parameters have a seed keeps that one.
     void addCommonFlags(CLI::App& command);
     /// To be called once the flags are parsed: limits the threads for the rest of the process.
     void start();
