@@ -226,7 +226,7 @@ class Arch:
             ex, ez = bx - ax, bz - az
             ll = np.hypot(ex, ez)
             t = ((x - ax) * ex + (z - az) * ez) / (ll * ll)
-            t = np.clip(t, 0.0 if i else 0.0, np.inf if i == last else 1.0)
+            t = np.clip(t, 0.0, np.inf if i == last else 1.0)  # the curve runs on straight past its end
             dx, dz = x - ax - ex * t, z - az - ez * t
             d = np.hypot(dx, dz)
             near = d < best

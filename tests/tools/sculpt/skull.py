@@ -94,7 +94,7 @@ def face(p):
     s, across = UPPER_ROW.unfold(q[:, 0], q[:, 2])
     y = q[:, 1]
     roots, bays = np.zeros(len(p)), np.zeros(len(p))
-    for centre, (kind, height, width, thick) in zip(tooth_places(UPPER_TEETH), UPPER_TEETH):
+    for centre, (kind, _, width, _) in zip(tooth_places(UPPER_TEETH), UPPER_TEETH):
         bays += 0.24 * bump(s, centre, 0.34 * width)
         tall = {"canine": 2.3, "incisor": 1.3}.get(kind, 1.1)
         high = {"canine": 0.26, "incisor": 0.15}.get(kind, 0.13)
@@ -111,7 +111,7 @@ def face(p):
     d = join(d, ellipsoid(q, (0.0, 3.9, 8.7), (1.6, 1.1, 1.25)), 0.8)
     d = join(d, tube(q, [(0.7, 3.5, 9.0, 0.62), (2.0, 4.0, 9.0, 0.62), (3.6, 4.0, 8.35, 0.55), (4.75, 3.4, 7.3, 0.5),
                          (5.25, 2.5, 6.5, 0.48)], count=12), 0.75)
-    d = join(d, ellipsoid(q, (3.7, 4.1, 6.5), (1.75, 1.4, 1.5)), 0.7)
+    d = join(d, ellipsoid(q, (3.6, 3.95, 6.6), (1.5, 1.25, 1.5)), 0.8)
     # cheek bone: outer rim, body, lower rim, buttress to the molars
     rim = tube(q, [(5.25, 2.8, 6.6, 0.5), (5.3, 1.6, 6.2, 0.46), (5.25, 0.5, 6.35, 0.55), (4.9, -0.5, 6.85, 0.72),
                    (3.9, -0.75, 7.6, 0.62), (2.8, -0.6, 8.2, 0.5), (1.7, 0.0, 8.6, 0.4)], count=20)
@@ -123,10 +123,10 @@ def face(p):
 
 def nasal_bones(q):
     """The bridge: a roof that overhangs the top of the opening."""
-    roof = tube(q, [(0.1, 3.2, 8.7, 0.75), (0.14, 2.3, 8.92, 0.6), (0.26, 1.65, 9.25, 0.5), (0.34, 1.1, 9.62, 0.38)], count=10)
+    roof = tube(q, [(0.1, 3.2, 8.7, 0.75), (0.14, 2.3, 8.92, 0.6), (0.2, 1.65, 9.25, 0.5), (0.2, 1.15, 9.55, 0.38), (0.16, 0.9, 9.75, 0.28)], count=10)
     margin = tube(q, [(0.40, 1.35, 9.4, 0.36), (0.86, 0.45, 9.12, 0.34), (1.30, -0.6, 8.92, 0.33), (1.58, -1.5, 8.82, 0.32),
                       (1.25, -2.4, 8.98, 0.30)], count=12)
-    roof = join(roof, margin, 0.25)
+    roof = join(roof, margin, 0.4)
     under = tube(q, [(0.0, 1.0, 8.6, 0.42), (0.0, 0.45, 9.1, 0.42), (0.0, -0.1, 9.6, 0.5)], count=4)
     return carve(roof, under, 0.15)
 
@@ -140,7 +140,7 @@ def cheek_arch(q):
 
 def base(q):
     """What hangs below the brain case."""
-    mastoid = join(capsule(q, (5.25, 0.1, -1.3), (5.0, -2.5, -0.45), 1.25, 0.5),
+    mastoid = join(capsule(q, (5.25, 0.1, -1.3), (5.0, -2.35, -0.5), 1.25, 0.66),
                    capsule(q, (5.0, 0.2, -2.4), (4.95, -1.2, -1.3), 1.0, 0.8), 0.6)
     crest = tube(q, [(5.8, 0.35, 0.6, 0.5), (5.85, 0.65, -0.8, 0.5), (5.6, 1.1, -2.4, 0.45), (5.0, 1.9, -4.2, 0.2)], stretch=(1.2, 1, 1), count=10)
     middle = rounded_box(q, (0, -0.8, 2.6), (2.4, 1.6, 3.6), 0.8)
@@ -193,7 +193,7 @@ def jaw(p):
     q = mirrored(p, 0.1)
     y = q[:, 1]
     s, across = JAW_LINE.unfold(q[:, 0], q[:, 2])
-    row, _ = LOWER_ROW.unfold(q[:, 0], q[:, 2])
+    row = LOWER_ROW.unfold(q[:, 0], q[:, 2])[0]
     ramus = smoothstep(4.6, 7.0, s)
     # the tooth row leans in at the back, the angle flares out
     lean = 0.5 * smoothstep(-7.6, -5.6, y) * smoothstep(1.5, 4.5, s) * (1.0 - smoothstep(5.0, 6.5, s))
@@ -203,7 +203,7 @@ def jaw(p):
     half = half + 0.12 * bump(y, -8.2, 0.8) * (1 - ramus)
     roots, bays = np.zeros(len(p)), np.zeros(len(p))
     # the outline runs along the jaw, the teeth along their own, shorter row
-    for centre, (kind, height, width, thick) in zip(tooth_places(LOWER_TEETH), LOWER_TEETH):
+    for centre, (kind, _, width, _) in zip(tooth_places(LOWER_TEETH), LOWER_TEETH):
         bays += 0.22 * bump(row, centre, 0.34 * width)
         tall = {"canine": 1.8}.get(kind, 1.1)
         high = {"canine": 0.2, "incisor": 0.12}.get(kind, 0.10)
@@ -223,7 +223,7 @@ def jaw(p):
 
 # --- teeth -----------------------------------------------------------------
 
-def tooth_places(row, start=0.02, gap=0.0):
+def tooth_places(row, start=-0.02, gap=0.0):
     """Arc lengths of the crowns' centres along the row."""
     s, out = start, []
     for _, _, width, _ in row:
@@ -267,7 +267,7 @@ def tooth(p, kind, height, width, thick):
 def tooth_row(row, arch, gum, up, h):
     """Both halves of a row; `up` is +1 for upper teeth (roots upward)."""
     out = []
-    for i, (centre, (kind, height, width, thick)) in enumerate(zip(tooth_places(row), row)):
+    for centre, (kind, height, width, thick) in zip(tooth_places(row), row):
         size = max(width, thick)
         mesh = sculpt(lambda p: tooth(p, kind, height, width, thick), (-size, -0.35, -size), (size, height + 1.2, size),
                       h, faces=700 if kind == "molar" else 560, rounds=2)

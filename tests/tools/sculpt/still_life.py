@@ -5,10 +5,11 @@ Decimetres, y up, the table top at y = 0, seen from +z.
 """
 
 import numpy as np
+from skimage.measure import find_contours
 
 from . import sdf
 from .polygonise import Mesh, face_cross, sculpt
-from .sdf import bump, capsule, carve, clip, closed_curve, ellipsoid, join, smoothstep, tube, vec
+from .sdf import bump, carve, clip, closed_curve, ellipsoid, join, smoothstep, tube, vec
 
 TABLE_RADIUS, TABLE_THICKNESS = 3.6, 0.32
 
@@ -50,6 +51,42 @@ def lathe(profile, segments):
     return Mesh(v, np.vstack(f), normals)
 
 
+def turned_mesh(field, radius, low, high, rows, segments, h=0.012):
+    """A round thing as a lathe mesh; its profile is read off `field`, rows closer where it bends."""
+    def at(r, y):
+        return field(np.stack([r, y, np.zeros_like(r)], axis=1))
+
+    def slope(r, y, e=2e-3):
+        g = np.stack([at(r + e, y) - at(r - e, y), at(r, y + e) - at(r, y - e)], axis=1)
+        return g / np.linalg.norm(g, axis=1)[:, None]
+
+    rs, ys = np.arange(0.0, radius, h), np.arange(low, high, h)
+    grid = at(*(x.ravel() for x in np.meshgrid(rs, ys, indexing="ij"))).reshape(len(rs), len(ys))
+    line = max(find_contours(grid, 0.0), key=len) * h + (0.0, low)
+    if line[0, 1] < line[-1, 1]:
+        line = line[::-1]
+    r, y = line[1:-1].T
+    n = slope(r, y)
+    for _ in range(3):
+        n = slope(r, y)
+        d = at(r, y)
+        r, y = r - d * n[:, 0], y - d * n[:, 1]
+    run = np.hypot(np.diff(r), np.diff(y))
+    bend = np.arccos(np.clip((n[1:] * n[:-1]).sum(axis=1), -1, 1))
+    pace = np.concatenate([[0], np.cumsum(run / run.sum() + 0.9 * bend / bend.sum())])
+    pace /= pace[-1]
+    t = np.linspace(0.004, 0.996, rows)
+    r, y = np.interp(t, pace, r), np.interp(t, pace, y)
+    for _ in range(2):
+        n = slope(r, y)
+        d = at(r, y)
+        r, y = r - d * n[:, 0], y - d * n[:, 1]
+    n = slope(r, y)
+    body = np.stack([r, y, n[:, 0], n[:, 1]], axis=1)
+    body = body[body[:, 0] > 0.03]
+    return lathe([(0.0, line[0, 1], 0, 1), *body.tolist(), (0.0, line[-1, 1], 0, -1)], segments)
+
+
 def table():
     """A round top with a bull-nosed edge."""
     half = TABLE_THICKNESS / 2
@@ -78,10 +115,10 @@ def jug(p):
     outside = turned(q, JUG_OUTSIDE) * 0.8
     inside = turned(q, JUG_INSIDE) * 0.8
     rim = ys - 3.28
-    ring = np.hypot(np.hypot(xs, zs) - 0.80, ys - 3.26) - 0.055
+    ring = np.hypot(np.hypot(xs, zs) - 0.80, ys - 3.25) - 0.075
     foot = np.hypot(np.hypot(x, z) - 0.83, y - 0.12) - 0.10
     band = np.hypot(np.hypot(x, z) - 0.72, y - 2.3) - 0.06
-    body = join(clip(outside, rim, 0.06), ring * 0.8, 0.05)
+    body = join(clip(outside, rim, 0.06), ring * 0.8, 0.10)
     body = join(join(body, foot, 0.06), band, 0.07)
     grip = tube(p, [(-0.62, 3.0, 0, 0.13), (-0.95, 3.22, 0, 0.13), (-1.45, 3.0, 0, 0.125), (-1.65, 2.4, 0, 0.115),
                     (-1.5, 1.75, 0, 0.11), (-1.1, 1.38, 0, 0.15)], stretch=(1.0, 1.0, 0.72), count=26)
@@ -235,19 +272,19 @@ def build(quality=1.0):
         mesh = sculpt(field, lo, hi, h / quality, faces=int(faces * min(1, quality ** 2)))
         return name, mesh.mapped(np.eye(3) if turn is None else turn, np.asarray(at, dtype=float))
 
-    spin = sdf.turn
+    spin, still = sdf.turn, np.eye(3)
     parts = [
         ("table", table()),
-        make("jug", jug, (-2.1, -0.25, -1.5), (1.7, 3.9, 1.5), 0.045, 11000, (-1.65, 0.0, -0.75), spin("y", 205)),
-        make("bottle", bottle, (-0.9, -0.2, -0.9), (0.9, 4.6, 0.9), 0.045, 6000, (0.35, 0.0, -1.75)),
-        make("bowl", bowl, (-1.7, -0.2, -1.7), (1.7, 1.4, 1.7), 0.045, 8000, (1.85, 0.0, -0.15)),
+        make("jug", jug, (-2.1, -0.25, -1.5), (1.7, 3.9, 1.5), 0.045, 10500, (-1.65, 0.0, -0.75), spin("y", 205)),
+        ("bottle", turned_mesh(bottle, 0.9, -0.2, 4.6, int(56 * quality), 64).mapped(still, vec(0.35, 0.0, -1.75))),
+        ("bowl", turned_mesh(bowl, 1.7, -0.2, 1.4, int(64 * quality), 72).mapped(still, vec(1.85, 0.0, -0.15))),
         make("apple", apple, (-0.95, -0.2, -0.95), (0.95, 1.7, 0.95), 0.04, 4000, (2.15, 0.48, -0.3), spin("z", -22) @ spin("y", 40)),
         make("lemon", lemon, (-1.1, -0.8, -0.8), (1.1, 0.8, 0.8), 0.04, 2600, (1.2, 1.35, 0.1), spin("y", 55) @ spin("z", 18)),
         make("pear", pear, (-1.05, -0.2, -1.05), (1.05, 2.8, 1.05), 0.04, 5000, (-0.35, 0.0, 0.75), spin("y", -20)),
         make("windfall", apple, (-0.95, -0.2, -0.95), (0.95, 1.7, 0.95), 0.04, 4000, (0.75, 0.566, 1.6),
-             spin("y", -35) @ spin("z", -78) @ np.eye(3)),
+             spin("y", -35) @ spin("z", -78)),
     ]
-    sheet = pillow(cloth_surface, int(66 * quality), int(52 * quality), 0.035, 0.02)
+    sheet = pillow(cloth_surface, int(60 * quality), int(48 * quality), 0.035, 0.02)
     parts.append(("cloth", sheet.mapped(spin("y", -24))))
     lo = np.min([m.vertices.min(axis=0) for _, m in parts], axis=0)
     hi = np.max([m.vertices.max(axis=0) for _, m in parts], axis=0)
