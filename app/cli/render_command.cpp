@@ -55,7 +55,6 @@ struct RenderCommand {
         nlohmann::json json{
             {"method", project.method},
             {"size", {pixels.x, pixels.y}},
-            {"seed", seed},
             {"mesh", project.mesh.filename().string()},
             {"camera", {project.camera.azimuth, project.camera.elevation, project.camera.distance}},
             {"background", background}};
