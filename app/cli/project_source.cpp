@@ -111,16 +111,19 @@ void ProjectSource::addSceneFlags(CLI::App& command) {
 }
 
 template <class Params>
-void ProjectSource::addOverrides(CLI::App& command, Params& (*member)(project::Project&)) {
+void ProjectSource::addOverrides(CLI::App& command, Params& (*member)(project::Project&),
+                                 const std::string& prefix) {
     const ParameterTable<Params>& table = Params::table();
-    addParameterFlags(command, table.specs(), table.values(Params()),
-                      [this, member, &table](std::size_t index, double value) {
-                          m_overrides.push_back([member, &table, index, value](project::Project& project) {
-                              std::vector<double> values = table.values(member(project));
-                              values[index] = value;
-                              table.assign(member(project), values);
-                          });
-                      });
+    addParameterFlags(
+        command, table.specs(), table.values(Params()),
+        [this, member, &table](std::size_t index, double value) {
+            m_overrides.push_back([member, &table, index, value](project::Project& project) {
+                std::vector<double> values = table.values(member(project));
+                values[index] = value;
+                table.assign(member(project), values);
+            });
+        },
+        prefix);
 }
 
 void ProjectSource::addMethodFlags(CLI::App& command) {
@@ -136,7 +139,8 @@ void ProjectSource::addMethodFlags(CLI::App& command) {
         command,
         +[](project::Project& project) -> methods::ViewAlignedParams& { return project.viewAligned; });
     addOverrides<synthesis::LevelParams>(
-        command, +[](project::Project& project) -> synthesis::LevelParams& { return project.levels; });
+        command, +[](project::Project& project) -> synthesis::LevelParams& { return project.levels; },
+        "level-");
     addOverrides<synthesis::QuiltParams>(
         command, +[](project::Project& project) -> synthesis::QuiltParams& { return project.levels.quilt; });
 }

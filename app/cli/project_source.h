@@ -21,7 +21,8 @@ private:
     void addSceneFlags(CLI::App& command);
     void addMethodFlags(CLI::App& command);
     template <class Params>
-    void addOverrides(CLI::App& command, Params& (*member)(project::Project&));
+    void addOverrides(CLI::App& command, Params& (*member)(project::Project&),
+                      const std::string& prefix = {});
 
     std::filesystem::path m_path;
     std::vector<Override> m_overrides;

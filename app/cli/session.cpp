@@ -55,14 +55,15 @@ void Session::finish(const nlohmann::json& json, const std::string& text) {
 }
 
 void addParameterFlags(CLI::App& command, std::span<const ParameterSpec> specs,
-                       std::span<const double> defaults, std::function<void(std::size_t, double)> assign) {
+                       std::span<const double> defaults, std::function<void(std::size_t, double)> assign,
+                       const std::string& prefix) {
     for (std::size_t i = 0; i < specs.size(); ++i) {
         const ParameterSpec spec = specs[i];
         const std::string help =
             fmt::format("{} ({}; default {})", spec.tooltip, spec.rangeText(), spec.valueText(defaults[i]));
         command
             .add_option_function<std::string>(
-                "--" + spec.key,
+                "--" + prefix + spec.key,
                 [spec, assign, i](const std::string& text) {
                     try {
                         assign(i, spec.parse(text));

@@ -48,7 +48,8 @@ private:
 /// the parse.
 void addParameterFlags(CLI::App& command, std::span<const ParameterSpec> specs,
                        std::span<const double> defaults,
-                       std::function<void(std::size_t index, double value)> assign);
+                       std::function<void(std::size_t index, double value)> assign,
+                       const std::string& prefix = {});
 
 template <class Params>
 void addParameterFlags(CLI::App& command, Params& params) {
