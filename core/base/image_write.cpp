@@ -1,10 +1,9 @@
 #include "core/base/atomic_file.h"
+#include "core/base/codec/codec.h"
 #include "core/base/error.h"
 #include "core/base/image_format.h"
 #include "core/base/image_io.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <spdlog/fmt/fmt.h>
 
 namespace chiaro {
@@ -13,60 +12,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-OIIO::TypeDesc typeOf(std::uint8_t) {
-    return OIIO::TypeDesc::UINT8;
-}
-OIIO::TypeDesc typeOf(std::uint16_t) {
-    return OIIO::TypeDesc::UINT16;
-}
-OIIO::TypeDesc typeOf(float) {
-    return OIIO::TypeDesc::FLOAT;
-}
-
-void describe(OIIO::ImageSpec& spec, ImageFormat format, const ImageMetadata& metadata) {
-    // Writers stamp the time unless told one: the same picture must give the same bytes.
-    spec.attribute("DateTime", "");
-    const bool anyKey = format == ImageFormat::Png || format == ImageFormat::OpenExr;
-    std::string lines;
-    for (const auto& [key, value] : metadata) {
-        if (anyKey || key == "Software") spec.attribute(key, value);
-        std::string oneLine = value;
-        std::replace(oneLine.begin(), oneLine.end(), '\n', ' ');
-        lines += (lines.empty() ? "" : "\n") + key + ": " + oneLine;
-    }
-    if (!anyKey && !lines.empty()) spec.attribute("ImageDescription", lines);
-    if (format == ImageFormat::Jpeg) {
-        spec.attribute("CompressionQuality", 95);
-        spec.attribute("jpeg:subsampling", "4:4:4");
-    }
-    if (format == ImageFormat::OpenExr || format == ImageFormat::Tiff) spec.attribute("compression", "zip");
-}
-
-/// Encodes in memory, so that the disk is written by code that checks every write.
 template <class Value>
 void encode(const fs::path& path, ImageFormat format, int width, int height, int channels,
             const std::vector<Value>& values, const ImageMetadata& metadata) {
+    using Values = EncodeRequest::Values;
+    constexpr Values type = sizeof(Value) == 1   ? Values::Bits8
+                            : sizeof(Value) == 2 ? Values::Bits16
+                                                 : Values::Float;
     if (values.empty()) throw Error(path.string(), "the picture has no pixels", "give it a size");
-    OIIO::ImageSpec spec(width, height, channels, typeOf(Value{}));
-    if (channels == 1) spec.channelnames = {"Y"};
-    if (channels == 4 && format != ImageFormat::OpenExr) spec.attribute("oiio:UnassociatedAlpha", 1);
-    describe(spec, format, metadata);
-    OIIO::Filesystem::IOVecOutput memory;
-    OIIO::Filesystem::IOProxy* proxy = &memory;
-    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-
-    const auto output = OIIO::ImageOutput::create(codecName(format));
-    const auto failure = [&](const std::string& reason) {
-        return Error(path.string(),
-                     fmt::format("could not be encoded as {} ({})", displayName(format), reason),
-                     "choose another format");
-    };
-    if (!output) throw failure("no such encoder on this machine");
-    const bool complete = output->open(path.filename().string(), spec) &&
-                          output->write_image(typeOf(Value{}), values.data()) && output->close();
-    if (!complete) throw failure(output->geterror());
-    const std::vector<unsigned char>& bytes = memory.buffer();
-    writeFileAtomically(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    writeFileAtomically(
+        path, imageCodec().encode({path, format, width, height, channels, type, values.data(), metadata}));
 }
 
 /// 0..1 to 0..255 or 0..65535, halves up; NaN becomes 0.
