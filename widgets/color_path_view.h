@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/gradient/gradient.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QCheckBox;
+class QColorDialog;
+class QComboBox;
+class QDoubleSpinBox;
+class QToolButton;
+
+namespace chiaro::widgets {
+
+class ColorPathBar;
+
+/// The colours that a sample shows: its own, or a path of the artist's stops with the gestures of Blender's
+/// colour ramp (§3.2, recolouring), or one of the presets.
+class ColorPathView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ColorPathView(QWidget* parent = nullptr);
+
+    /// Without a path the sample keeps its own colours.
+    void setRecoloring(const std::optional<gradient::ColorPath>& path);
+    /// The sample's own gradient, shown while nothing recolours it and the start of a new path; empty
+    /// disables the view.
+    void setOwnColors(const gradient::Gradient& colors);
+    ColorPathBar* bar() const { return m_bar; }
+
+public Q_SLOTS:
+    void flip();
+    void distribute();
+
+Q_SIGNALS:
+    void recoloringEdited(const std::optional<chiaro::gradient::ColorPath>& path);
+    void editFinished();
+
+private:
+    QWidget* makePresets();
+    QWidget* makeTools();
+    void edit(const std::optional<gradient::ColorPath>& path);
+    void editOnce(const std::optional<gradient::ColorPath>& path);
+    void chooseColor();
+    void show();
+    void showStop();
+
+    std::optional<gradient::ColorPath> m_path;
+    gradient::ColorPath m_last;  ///< what switching the recolouring on again brings back
+    gradient::Gradient m_own;
+    QCheckBox* m_recolor = nullptr;
+    ColorPathBar* m_bar = nullptr;
+    QWidget* m_tools = nullptr;
+    QToolButton* m_color = nullptr;
+    QToolButton* m_remove = nullptr;
+    QToolButton* m_distribute = nullptr;
+    QDoubleSpinBox* m_position = nullptr;
+    QComboBox* m_space = nullptr;
+};
+
+}  // namespace chiaro::widgets
