@@ -70,31 +70,33 @@ std::vector<glm::vec3> ownFaceNormals(const Mesh& mesh) {
     return own;
 }
 
-/// False for normals that have nothing to do with the faces, such as one direction for a whole ball. Turned
-/// about they may be: many files disagree with themselves about the front.
-bool normalsMakeSense(const Mesh& mesh) {
-    const std::vector<glm::vec3> own = ownFaceNormals(mesh);
+/// False for a file whose normals have nothing to do with its faces, such as one direction for a whole ball.
+/// Turned about they may be: many files disagree with themselves about the front.
+bool normalsMakeSense(const std::vector<Mesh>& meshes) {
     double sum = 0;
     double count = 0;
-    for (std::size_t i = 0; i < own.size(); ++i) {
-        const float lengths = glm::length(own[i]) * glm::length(mesh.normals[i]);
-        if (!(lengths > 1e-6f) || !std::isfinite(lengths)) continue;
-        sum += double(std::abs(glm::dot(own[i], mesh.normals[i])) / lengths);
-        ++count;
+    for (const Mesh& mesh : meshes) {
+        if (mesh.normals.size() != mesh.positions.size()) continue;
+        const std::vector<glm::vec3> own = ownFaceNormals(mesh);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const float lengths = glm::length(own[i]) * glm::length(mesh.normals[i]);
+            if (!(lengths > 1e-6f) || !std::isfinite(lengths)) continue;
+            sum += double(std::abs(glm::dot(own[i], mesh.normals[i])) / lengths);
+            ++count;
+        }
     }
     return sum >= 0.6 * count;  // unrelated directions average 0.5
 }
 
-/// Normals that the file has and that can be meant are kept, at unit length; the others are computed. Tells
-/// how many of the file's were replaced.
-std::size_t completeNormals(Mesh& mesh) {
+/// The file's normals are kept, at unit length, if they are to be trusted and where they have a direction;
+/// the others are computed. Tells how many of the file's were replaced.
+std::size_t completeNormals(Mesh& mesh, bool trusted) {
     const bool given = mesh.normals.size() == mesh.positions.size();
-    const bool keep = given && normalsMakeSense(mesh);
     std::vector<glm::vec3> computed = angleWeightedNormals(mesh);
     std::size_t replaced = 0;
     for (std::size_t i = 0; given && i < computed.size(); ++i) {
         const float length = glm::length(mesh.normals[i]);
-        const bool usable = keep && length > 1e-6f && std::isfinite(length);
+        const bool usable = trusted && length > 1e-6f && std::isfinite(length);
         if (usable) computed[i] = mesh.normals[i] / length;
         replaced += !usable && mesh.normals[i] != glm::vec3(0);
     }
@@ -172,13 +174,14 @@ Model readModel(const fs::path& path, const Task& task) {
     Model model;
     model.warnings = std::move(raw.warnings);
     std::size_t replacedNormals = 0;
+    const bool trusted = normalsMakeSense(raw.objects);
     for (Mesh& mesh : raw.objects) {
         task.checkpoint();
         checkPositions(source, mesh);
         if (raw.facetted)
             mesh = splitAtCreases(mesh, creaseDegrees);
         else
-            replacedNormals += completeNormals(mesh);
+            replacedNormals += completeNormals(mesh, trusted);
         task.report(0.6 + 0.3 * double(&mesh - raw.objects.data() + 1) / double(raw.objects.size()));
     }
     const Topology topology = topologyOf(raw.objects.size() == 1 ? raw.objects[0] : merged(raw.objects));

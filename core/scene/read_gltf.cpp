@@ -1,12 +1,12 @@
 #include "core/base/atomic_file.h"
 #include "core/scene/byte_reader.h"
 #include "core/scene/mesh_readers.h"
+#include "core/scene/tinygltf.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <optional>
-#include <tiny_gltf.h>
 
 namespace chiaro::scene {
 

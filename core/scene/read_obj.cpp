@@ -40,7 +40,8 @@ public:
         for (ObjectBuilder& object : m_objects) finish(object);
         if (m_emptyObjects > 0)
             m_model.warnings.push_back(std::to_string(m_emptyObjects) +
-                                       " objects without faces were left out.");
+                                       (m_emptyObjects == 1 ? " object without faces was left out."
+                                                            : " objects without faces were left out."));
         return std::move(m_model);
     }
 
