@@ -37,6 +37,29 @@ std::pair<int, int> BlockGrid::turn(int index) const {
     return {2 * row + column, row};
 }
 
+std::vector<int> BlockGrid::earlier(int index, int distance) const {
+    const int column = index % m_columns.count, row = index / m_columns.count;
+    const auto away = [](const Axis& axis, int i, int j) {
+        const int plain = std::abs(i - j);
+        return axis.even ? std::min(plain, axis.count - plain) : plain;
+    };
+    std::vector<std::pair<int, int>> found;
+    if (distance <= 0) return {};
+    for (int otherRow = 0; otherRow <= row; ++otherRow) {
+        // Each block waits for its left and its top right neighbour, so for all that lie before this column.
+        const int end = std::min(column + row - otherRow, m_columns.count - 1);
+        for (int otherColumn = 0; otherColumn <= end; ++otherColumn) {
+            const int apart = std::max(away(m_columns, otherColumn, column), away(m_rows, otherRow, row));
+            if (apart > 0 && apart <= distance)
+                found.emplace_back(apart, otherRow * m_columns.count + otherColumn);
+        }
+    }
+    std::ranges::sort(found);
+    std::vector<int> blocks;
+    for (const auto& [apart, other] : found) blocks.push_back(other);
+    return blocks;
+}
+
 std::vector<std::vector<int>> BlockGrid::successors() const {
     const auto neighbours = [](const Axis& axis) {
         std::vector<std::vector<int>> lists(std::size_t(axis.count));

@@ -21,6 +21,9 @@ public:
     /// The widest overlap of two neighbours.
     int widestOverlap() const { return std::max(m_columns.widestOverlap, m_rows.widestOverlap); }
 
+    /// Blocks at most `distance` columns and rows away that are in place whenever `index` is placed, on
+    /// however many threads; nearest first.
+    std::vector<int> earlier(int index, int distance) const;
     /// The blocks that must wait for each block, since they overlap with it and come later.
     std::vector<std::vector<int>> successors() const;
 

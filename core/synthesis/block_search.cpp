@@ -30,8 +30,7 @@ std::uint32_t squared(const SearchPixel& pixel) {
 
 }  // namespace
 
-SearchTexture::SearchTexture(const ColorImage& texture)
-    : m_width(texture.width()), m_height(texture.height()) {
+SearchTexture::SearchTexture(const ColorImage& texture) : m_pixels(texture.width(), texture.height()) {
     glm::vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
     for (const glm::vec3& color : texture.pixels()) {
         low = glm::min(low, color);
@@ -42,11 +41,10 @@ SearchTexture::SearchTexture(const ColorImage& texture)
     const double widest = std::max({reach.r, reach.g, reach.b});
     m_step = widest > 0 ? widest / largestStep : 1;
 
-    Image<SearchPixel> pixels(m_width, m_height);
-    std::ranges::transform(texture.pixels(), pixels.pixels().begin(),
+    std::ranges::transform(texture.pixels(), m_pixels.pixels().begin(),
                            [this](const glm::vec3& color) { return rounded(color); });
-    packQuads(pixels);
-    integrateSquares(pixels);
+    packQuads();
+    integrateSquares();
 }
 
 SearchPixel SearchTexture::rounded(const glm::vec3& color) const {
@@ -57,15 +55,15 @@ SearchPixel SearchTexture::rounded(const glm::vec3& color) const {
     return {channel(color.r, m_middle.r), channel(color.g, m_middle.g), channel(color.b, m_middle.b), false};
 }
 
-void SearchTexture::packQuads(const Image<SearchPixel>& pixels) {
-    const int padded = m_width + kernels::columnPadding;
+void SearchTexture::packQuads() {
+    const int padded = width() + kernels::columnPadding;
     m_quadPitch = oddLines(padded);
-    m_quads.assign(std::size_t(m_quadPitch * 3 * (m_height + kernels::rowPadding)), 0);
+    m_quads.assign(std::size_t(m_quadPitch * 3 * (height() + kernels::rowPadding)), 0);
     std::vector<std::uint8_t> bytes(std::size_t(3 * padded + 6), byteOffset);
-    for (int y = 0; y < m_height; ++y) {
-        for (int x = 0; x < m_width; ++x)
+    for (int y = 0; y < height(); ++y) {
+        for (int x = 0; x < width(); ++x)
             for (std::size_t c = 0; c < 3; ++c)
-                bytes[std::size_t(3 * x) + c] = std::uint8_t(channels(pixels(x, y))[c] + byteOffset);
+                bytes[std::size_t(3 * x) + c] = std::uint8_t(channels(m_pixels(x, y))[c] + byteOffset);
         for (int phase = 0; phase < 3; ++phase) {
             std::uint32_t* row = m_quads.data() + (3 * y + phase) * m_quadPitch;
             for (int x = 0; x < padded; ++x)
@@ -75,15 +73,15 @@ void SearchTexture::packQuads(const Image<SearchPixel>& pixels) {
     }
 }
 
-void SearchTexture::integrateSquares(const Image<SearchPixel>& pixels) {
-    m_squaresPitch = oddLines(m_width + 1 + kernels::columnPadding);
-    m_squares.assign(std::size_t(m_squaresPitch * (m_height + 1 + kernels::rowPadding)), 0);
-    for (int y = 0; y < m_height; ++y) {
+void SearchTexture::integrateSquares() {
+    m_squaresPitch = oddLines(width() + 1 + kernels::columnPadding);
+    m_squares.assign(std::size_t(m_squaresPitch * (height() + 1 + kernels::rowPadding)), 0);
+    for (int y = 0; y < height(); ++y) {
         const std::uint32_t* above = m_squares.data() + y * m_squaresPitch;
         std::uint32_t* row = m_squares.data() + (y + 1) * m_squaresPitch;
         std::uint32_t sum = 0;
-        for (int x = 0; x < m_width; ++x) {
-            sum += squared(pixels(x, y));
+        for (int x = 0; x < width(); ++x) {
+            sum += squared(m_pixels(x, y));
             row[x + 1] = above[x + 1] + sum;
         }
     }
@@ -218,6 +216,16 @@ bool computeCosts(const SearchTexture& source, const SearchTemplate& goal, const
     return true;
 }
 
+// Makes the excluded candidates too bad to choose.
+template <class Cost>
+void exclude(const SearchQuery& query, std::ptrdiff_t pitch, std::vector<Cost>& costs, Cost worst) {
+    for (const CandidateArea& area : query.excluded)
+        for (int y = area.y - query.candidates.y; y < area.y - query.candidates.y + area.height; ++y) {
+            const auto row = costs.begin() + y * pitch + area.x - query.candidates.x;
+            std::fill(row, row + area.width, worst);
+        }
+}
+
 // Places whose error is small enough when there is one template: its costs are the errors.
 void collectBest(const CandidateArea& area, std::ptrdiff_t pitch, double tolerance, SearchMemory& memory) {
     const std::uint32_t best = kernels::smallestCost(memory.costs.data(), pitch, area.width, area.height);
@@ -243,28 +251,52 @@ void addTotals(const CandidateArea& area, std::ptrdiff_t pitch, double weight, S
 
 }  // namespace
 
-BlockMatch findBlock(const SearchTexture& source, std::span<const SearchTemplate> templates,
-                     const CandidateArea& candidates, double tolerance, Random random, SearchMemory& memory) {
-    const std::ptrdiff_t pitch = roundedUp(candidates.width, kernels::columnPadding);
+std::vector<CandidateArea> excludedAround(std::span<const glm::ivec2> used, const CandidateArea& candidates,
+                                          int block) {
+    std::vector<CandidateArea> excluded;
+    if (used.empty()) return excluded;
+    const glm::ivec2 first(candidates.x, candidates.y),
+        end = first + glm::ivec2(candidates.width, candidates.height);
+    const double budget = 0.5 * candidates.width * candidates.height;
+    const int side = int(std::sqrt(budget / double(used.size())));
+    const int reach = std::clamp((side - 1) / 2, 0, block / 4);
+    double spent = 0;
+    for (const glm::ivec2& place : used) {
+        const glm::ivec2 corner = glm::max(place - reach, first);
+        const glm::ivec2 size = glm::min(place + reach + 1, end) - corner;
+        if (size.x <= 0 || size.y <= 0) continue;
+        spent += double(size.x) * size.y;
+        if (spent > budget) break;
+        excluded.push_back({corner.x, corner.y, size.x, size.y});
+    }
+    return excluded;
+}
+
+BlockMatch findBlock(const SearchTexture& source, const SearchQuery& query, Random random,
+                     SearchMemory& memory) {
+    const CandidateArea& area = query.candidates;
+    const std::ptrdiff_t pitch = roundedUp(area.width, kernels::columnPadding);
     memory.places.clear();
     bool any = false;
-    if (templates.size() == 1) {
-        any = computeCosts(source, templates[0], candidates, pitch, memory);
-        if (any) collectBest(candidates, pitch, tolerance, memory);
+    if (query.templates.size() == 1) {
+        any = computeCosts(source, query.templates[0], area, pitch, memory);
+        if (any) exclude(query, pitch, memory.costs, ~std::uint32_t{0});
+        if (any) collectBest(area, pitch, query.tolerance, memory);
     } else {
-        memory.totals.assign(std::size_t(candidates.width) * std::size_t(candidates.height), 0);
-        for (const SearchTemplate& goal : templates)
-            if (goal.weight > 0 && computeCosts(source, goal, candidates, pitch, memory)) {
-                addTotals(candidates, pitch, goal.weight, memory);
+        memory.totals.assign(std::size_t(area.width) * std::size_t(area.height), 0);
+        for (const SearchTemplate& goal : query.templates)
+            if (goal.weight > 0 && computeCosts(source, goal, area, pitch, memory)) {
+                addTotals(area, pitch, goal.weight, memory);
                 any = true;
             }
-        if (any) collectBestTotals(candidates, tolerance, memory);
+        if (any) exclude(query, area.width, memory.totals, std::numeric_limits<double>::max());
+        if (any) collectBestTotals(area, query.tolerance, memory);
     }
     const std::size_t choices =
-        any ? memory.places.size() : std::size_t(candidates.width) * std::size_t(candidates.height);
+        any ? memory.places.size() : std::size_t(area.width) * std::size_t(area.height);
     const std::uint64_t pick = random.below(choices);
     const int place = int(any ? memory.places[pick] : pick);
-    return {{candidates.x + place % candidates.width, candidates.y + place / candidates.width}, choices};
+    return {{area.x + place % area.width, area.y + place / area.width}, choices};
 }
 
 }  // namespace chiaro::synthesis

@@ -24,20 +24,21 @@ public:
     /// Any size; difference RGB.
     explicit SearchTexture(const ColorImage& texture);
 
-    int width() const { return m_width; }
-    int height() const { return m_height; }
+    int width() const { return m_pixels.width(); }
+    int height() const { return m_pixels.height(); }
     /// A colour in the texture's steps; colours outside its range go to the end of it.
     SearchPixel rounded(const glm::vec3& color) const;
+    /// The texture's own pixels, rounded.
+    const Image<SearchPixel>& pixels() const { return m_pixels; }
     /// One step, in units of the texture.
     double step() const { return m_step; }
     kernels::PackedSource packed() const;
 
 private:
-    void packQuads(const Image<SearchPixel>& pixels);
-    void integrateSquares(const Image<SearchPixel>& pixels);
+    void packQuads();
+    void integrateSquares();
 
-    int m_width;
-    int m_height;
+    Image<SearchPixel> m_pixels;
     glm::vec3 m_middle{0};
     double m_step = 1;
     std::ptrdiff_t m_quadPitch = 0;
@@ -69,6 +70,21 @@ struct SearchMemory {
     std::vector<kernels::SquaresRectangle> rectangles;
 };
 
+/// What a block is looked for by.
+struct SearchQuery {
+    std::span<const SearchTemplate> templates;  ///< one or more, at most 256 x 256, inside the source at
+                                                ///< every candidate
+    CandidateArea candidates;
+    std::span<const CandidateArea> excluded;  ///< inside the candidates, never all of them
+    double tolerance = 0.1;                   ///< how much more than the smallest an error may be, of it
+};
+
+/// Squares of candidates around places that were used already, nearest neighbours first, as large as leaves
+/// half of the candidates free, and at most half a block: so that a pattern doesn't come back every few
+/// blocks.
+std::vector<CandidateArea> excludedAround(std::span<const glm::ivec2> used, const CandidateArea& candidates,
+                                          int block);
+
 struct BlockMatch {
     glm::ivec2 position{0};   ///< of the block's top left pixel in the source
     std::size_t choices = 0;  ///< candidates that were good enough
@@ -76,9 +92,8 @@ struct BlockMatch {
 
 /// Picks at random among the candidates whose error is within (1 + tolerance) of the smallest, all candidates
 /// compared. With no pixel that counts, among all. Exact on the rounded colours and the same on every
-/// processor: the pick depends on the arguments alone. The templates, one or more, are at most 256 x 256 and
-/// lie inside the source at every candidate.
-BlockMatch findBlock(const SearchTexture& source, std::span<const SearchTemplate> templates,
-                     const CandidateArea& candidates, double tolerance, Random random, SearchMemory& memory);
+/// processor: the pick depends on the arguments alone.
+BlockMatch findBlock(const SearchTexture& source, const SearchQuery& query, Random random,
+                     SearchMemory& memory);
 
 }  // namespace chiaro::synthesis

@@ -66,6 +66,7 @@ std::vector<Level> prepareLevels(const ColorImage& strip, const std::vector<glm:
             sectionTexture(strip, gradient, params, i, sectionColumns(strip.width(), params.count, i, block));
         level.task.source = &level.source;
         level.task.width = level.task.height = params.size;
+        level.task.variety = levelVariety;
         level.task.wrap = params.tiling == Tiling::Seam;
     }
     return levels;

@@ -18,6 +18,9 @@ enum class LevelBase {
     Gradient
 };  ///< what is subtracted from the strip: a section's average, or G(u(x))
 
+/// QuiltTask::variety of levels: their sections are narrow, and the same few strokes would come back in rows.
+inline constexpr int levelVariety = 4;
+
 struct LevelParams {
     int count = 8;   ///< sections of the strip, 2..32
     int size = 512;  ///< a level's side n, 64..2048 px
@@ -36,8 +39,11 @@ struct LevelStack {
 };
 
 /// Quilts a level from each section of the strip. `strip` is W x H in [0, 1]; `gradient` its W colours
-/// G(u(x)). Levels are made in parallel; the bytes depend only on the inputs, never on the threads. Throws
-/// Error when a section can't hold a block, Cancelled when the task was.
+/// G(u(x)). A section narrower than a block and a half is widened about its centre to that, as far as the
+/// strip goes; a block that doesn't fit even so is made smaller (see fittedBlock), so that every strip gives
+/// levels. Levels are made in parallel; the bytes depend only on the inputs, never on the threads. Throws
+/// Error when a parameter is out of range or the gradient isn't as long as the strip, Cancelled when the task
+/// was.
 LevelStack makeLevels(const ColorImage& strip, const std::vector<glm::vec3>& gradient,
                       const LevelParams& params, const Task& task = {});
 

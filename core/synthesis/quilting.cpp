@@ -78,30 +78,35 @@ private:
             for (int x = 0; x < site.size.x; ++x) visit(x, y, pixelAt(site, x, y));
     }
 
-    // What lies under a block; false when nothing is missing there.
+    // What lies under a block, and what of it the block should match; false when nothing is missing there.
     bool look(const BlockSite& site, Workspace& work) const {
         bool missing = false;
         work.under = Image<Under>(site.size.x, site.size.y);
+        work.templates.resize(1);
+        Image<SearchPixel>& goal = work.templates.front().pixels;
+        goal = Image<SearchPixel>(site.size.x, site.size.y);
         eachPixel(site, [&](int x, int y, glm::ivec2 pixel) {
-            Under& under = work.under(x, y);
-            under = !valid(pixel)                     ? Under::Outside
-                    : m_made(pixel.x, pixel.y).counts ? Under::Texture
-                                                      : Under::Nothing;
-            missing |= under == Under::Nothing;
+            const SearchPixel& made = m_made(pixel.x, pixel.y);
+            goal(x, y) = made;
+            missing |= !made.counts && valid(pixel);
+            work.under(x, y) = made.counts ? Under::Texture : valid(pixel) ? Under::Nothing : Under::Outside;
         });
         return missing;
     }
 
     BlockMatch search(const BlockSite& site, Workspace& work) const {
-        work.templates.clear();
-        SearchTemplate& overlap = work.templates.emplace_back();
-        overlap.pixels = Image<SearchPixel>(site.size.x, site.size.y);
-        eachPixel(site, [&](int x, int y, glm::ivec2 pixel) {
-            if (work.under(x, y) == Under::Texture) overlap.pixels(x, y) = m_made(pixel.x, pixel.y);
-        });
         if (m_task.previous && m_task.previousWeight > 0) addPrevious(site, work);
-        return findBlock(m_source, work.templates, candidates(site), m_params.tolerance,
+        const CandidateArea area = candidates(site);
+        const auto excluded = excludedAround(usedNearby(site), area, m_params.block);
+        return findBlock(m_source, {work.templates, area, excluded, m_params.tolerance},
                          Random(m_params.seed, std::uint64_t(site.index)), work.memory);
+    }
+
+    std::vector<glm::ivec2> usedNearby(const BlockSite& site) const {
+        std::vector<glm::ivec2> used;
+        for (const int index : m_grid.earlier(site.index, m_task.variety))
+            if (const auto& placed = m_placed[std::size_t(index)]) used.push_back(placed->source);
+        return used;
     }
 
     void addPrevious(const BlockSite& site, Workspace& work) const {
@@ -147,10 +152,10 @@ private:
     void copy(const PlacedBlock& placed, const Image<std::uint8_t>& stays) {
         eachPixel(placed.site, [&](int x, int y, glm::ivec2 pixel) {
             if (stays(x, y) || !valid(pixel)) return;
-            const glm::vec3& color = sourceAt(placed, x, y);
-            m_result.texture(pixel.x, pixel.y) = color;
-            m_result.origin(pixel.x, pixel.y) = glm::i16vec2(placed.source + glm::ivec2(x, y));
-            m_made(pixel.x, pixel.y) = m_source.rounded(color);
+            const glm::ivec2 from = placed.source + glm::ivec2(x, y);
+            m_result.texture(pixel.x, pixel.y) = (*m_task.source)(from.x, from.y);
+            m_result.origin(pixel.x, pixel.y) = glm::i16vec2(from);
+            m_made(pixel.x, pixel.y) = m_source.pixels()(from.x, from.y);
             m_made(pixel.x, pixel.y).counts = true;
         });
     }

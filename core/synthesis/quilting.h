@@ -57,6 +57,9 @@ struct QuiltTask {
     const ColorImage* previous = nullptr;      ///< a picture to stay close to: the frame before
     const PixelMask* previousWhere = nullptr;  ///< where that says something; everywhere without it
     double previousWeight = 0;  ///< of its mean squared error, against the overlap's mean squared error
+    /// Blocks within which a place of the source isn't used twice, where there is choice: against a pattern
+    /// that comes back every few blocks; 0 lets it
+    int variety = 0;
     /// Which source positions a block may come from, of those at which it lies inside the source; all without
     /// it. Called from several threads at once.
     std::function<CandidateArea(const BlockSite&)> candidates;

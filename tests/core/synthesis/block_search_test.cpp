@@ -47,8 +47,9 @@ CandidateArea everywhere(const ColorImage& source, int side) {
 glm::ivec2 find(const ColorImage& source, const SearchTemplate& goal, double tolerance = 0,
                 std::uint64_t seed = 1) {
     SearchMemory memory;
-    return findBlock(SearchTexture(source), {&goal, 1}, everywhere(source, goal.pixels.width()), tolerance,
-                     Random(seed), memory)
+    return findBlock(SearchTexture(source),
+                     {{&goal, 1}, everywhere(source, goal.pixels.width()), {}, tolerance}, Random(seed),
+                     memory)
         .position;
 }
 
@@ -102,7 +103,7 @@ TEST(BlockSearch, StaysInsideTheCandidates) {
     const SearchTemplate elsewhere = cutOut(prepared, source, {20, 3}, 8, all);
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         const glm::ivec2 found =
-            findBlock(prepared, {&elsewhere, 1}, area, 10, Random(seed), memory).position;
+            findBlock(prepared, {{&elsewhere, 1}, area, {}, 10}, Random(seed), memory).position;
         EXPECT_TRUE(found.x >= 7 && found.x < 10 && found.y >= 11 && found.y < 13);
     }
 }
@@ -117,7 +118,7 @@ TEST(BlockSearch, PicksAmongAllThatAreGoodEnough) {
     SearchTemplate goal = cutOut(prepared, goalColor, {0, 0}, 4, [](int, int y) { return y == 0; });
     SearchMemory memory;
     const auto choices = [&](double tolerance, CandidateArea area) {
-        return findBlock(prepared, {&goal, 1}, area, tolerance, Random(1), memory).choices;
+        return findBlock(prepared, {{&goal, 1}, area, {}, tolerance}, Random(1), memory).choices;
     };
     EXPECT_EQ(choices(0.1, {0, 0, 1, 124}), 1u);   // the exact one: nothing is within 10% of 0
     EXPECT_EQ(choices(0.0, {0, 75, 1, 49}), 1u);   // from an error of 2 steps upwards
@@ -134,11 +135,37 @@ TEST(BlockSearch, PicksEachOfEqualCandidates) {
     Image<int> hits(5, 3, 0);
     for (std::uint64_t seed = 0; seed < 600; ++seed) {
         const BlockMatch match =
-            findBlock(prepared, {&goal, 1}, everywhere(source, 8), 0.1, Random(seed), memory);
+            findBlock(prepared, {{&goal, 1}, everywhere(source, 8), {}, 0.1}, Random(seed), memory);
         EXPECT_EQ(match.choices, 15u);
         ++hits(match.position.x, match.position.y);
     }
     for (const int count : hits.pixels()) EXPECT_NEAR(count, 40, 30);
+}
+
+TEST(BlockSearch, LeavesOutWhatIsExcluded) {
+    const ColorImage source = exactNoise(40, 30, 5);
+    const SearchTexture prepared(source);
+    SearchMemory memory;
+    const SearchTemplate goal = cutOut(prepared, source, {20, 3}, 8, all);
+    const std::vector<CandidateArea> excluded{{19, 2, 3, 3}};
+    const auto found = [&](std::span<const CandidateArea> areas, const std::vector<SearchTemplate>& goals) {
+        return findBlock(prepared, {goals, everywhere(source, 8), areas, 0}, Random(1), memory).position;
+    };
+    EXPECT_EQ(found({}, {goal}), glm::ivec2(20, 3));
+    EXPECT_NE(found(excluded, {goal}), glm::ivec2(20, 3));
+    EXPECT_EQ(found(excluded, {goal, goal}), found(excluded, {goal}));
+}
+
+TEST(BlockSearch, ExcludesHalfOfTheCandidatesAtMost) {
+    const std::vector<glm::ivec2> used{{5, 5}, {2, 9}, {7, 5}, {90, 90}};
+    // 100 candidates, 4 places: squares of 3 x 3, since 4 of 5 x 5 are more than 50.
+    const auto excluded = excludedAround(used, {0, 0, 10, 10}, 32);
+    EXPECT_EQ(excluded, (std::vector<CandidateArea>{{4, 4, 3, 3}, {1, 8, 3, 2}, {6, 4, 3, 3}}));
+    EXPECT_EQ(excludedAround(used, {5, 5, 2, 1}, 32), (std::vector<CandidateArea>{{5, 5, 1, 1}}));
+    EXPECT_TRUE(excludedAround(used, {5, 5, 1, 1}, 32).empty());
+    EXPECT_TRUE(excludedAround({}, {0, 0, 10, 10}, 32).empty());
+    // A quarter of a block to each side, however many candidates there are.
+    EXPECT_EQ(excludedAround({&used[0], 1}, {0, 0, 100, 100}, 8), (std::vector<CandidateArea>{{3, 3, 5, 5}}));
 }
 
 TEST(BlockSearch, WeighsSeveralTemplates) {
@@ -149,7 +176,7 @@ TEST(BlockSearch, WeighsSeveralTemplates) {
     SearchMemory memory;
     const auto found = [&](double weight) {
         goals[1].weight = weight;
-        return findBlock(prepared, goals, everywhere(source, 8), 0, Random(1), memory).position;
+        return findBlock(prepared, {goals, everywhere(source, 8), {}, 0}, Random(1), memory).position;
     };
     EXPECT_EQ(found(0), glm::ivec2(3, 4));
     EXPECT_EQ(found(1.0 / 512), glm::ivec2(3, 4));

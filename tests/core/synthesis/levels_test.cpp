@@ -1,8 +1,11 @@
 #include "core/synthesis/levels.h"
 
 #include "core/base/error.h"
+#include "core/gradient/gradient.h"
+#include "core/sample/strip.h"
 #include "core/synthesis/tiling.h"
 #include "tests/core/synthesis/textures.h"
+#include "tests/support/support.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -185,6 +188,25 @@ TEST(Levels, LevelsOfOneTextureDiffer) {
     EXPECT_NE(stack.levels[0], stack.levels[1]);
     EXPECT_EQ(makeLevels(strip, gradient, levelsOf(2, 64, Tiling::Seam)).levels[0],
               ColorImage(64, 64, glm::vec3(0.5f)));
+}
+
+TEST(Levels, RealStripsTileAndKeepTheirContrast) {
+    CHIARO_NEEDS_SHARED_DATA();
+    for (const char* name : {"wc_blue_19.png", "charcoal_mass_gray.png", "oil_jungfrau.png"}) {
+        const ColorImage strip = sample::makeStrip(sample::readScan(test::sharedData() / "samples" / name));
+        const gradient::Separation separation = gradient::separate(strip);
+        const LevelStack stack = makeLevels(strip, separation.gradient, levelsOf(8, 256, Tiling::Seam));
+        double seam = 0, level = 0, texture = 0;
+        for (const ColorImage& slice : stack.levels) {
+            seam += seamContrast(slice) / 8;
+            for (const glm::vec3& color : slice.pixels())
+                level += double(glm::dot(color, color)) / (8 * double(slice.pixelCount()));
+        }
+        for (const glm::vec3& color : separation.texture.pixels())
+            texture += double(glm::dot(color, color)) / double(separation.texture.pixelCount());
+        EXPECT_LT(seam, 1.15) << name;
+        EXPECT_NEAR(level / texture, 1, 0.25) << name;
+    }
 }
 
 TEST(Levels, RefuseWhatTheyCannotUse) {

@@ -1,6 +1,7 @@
 #include "core/synthesis/quilting.h"
 
 #include "core/base/error.h"
+#include "core/synthesis/block_grid.h"
 #include "tests/core/synthesis/textures.h"
 
 #include <gtest/gtest.h>
@@ -98,6 +99,7 @@ TEST(Quilting, SameBytesForAnyNumberOfThreads) {
     for (const bool wrap : {false, true}) {
         QuiltTask task = taskOf(source, 150, 130);
         task.wrap = wrap;
+        task.variety = 3;
         QuiltResult results[2];
         for (const std::size_t threads : {1, 8}) {
             const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
@@ -232,6 +234,52 @@ TEST(Quilting, UsesOnlyTheCandidatesGiven) {
         EXPECT_LT(block.source.x, block.site.position.x / 2 + 10);
         EXPECT_TRUE(block.source.y >= 3 && block.source.y < 15);
     }
+}
+
+TEST(Quilting, VarietyKeepsPlacesApart) {
+    // A source hardly larger than its blocks: without variety the few best places come back all the time.
+    const ColorImage source = waves(26, 40, 17);
+    const auto repeats = [&](int variety) {
+        QuiltTask task = taskOf(source, 150, 150);
+        task.wrap = true;
+        task.variety = variety;
+        QuiltParams params = blocksOf(16);
+        params.tolerance = 0;
+        const QuiltResult result = quilt(task, params);
+        const BlockGrid grid(150, 150, 16, params.overlapPixels(), true);
+        int count = 0;
+        for (const PlacedBlock& block : result.blocks)
+            for (const int other : grid.earlier(block.site.index, 3))
+                count += block.source == result.blocks[std::size_t(other)].source;
+        return count;
+    };
+    EXPECT_GT(repeats(0), 3);
+    EXPECT_EQ(repeats(3), 0);
+}
+
+TEST(BlockGrid, KnowsWhatIsInPlace) {
+    // 4 x 3 blocks: before block (1, 1) come the first row up to column 2 and its left neighbour.
+    const BlockGrid grid(42, 32, 12, 2, false);
+    ASSERT_EQ(grid.count(), 12);
+    EXPECT_EQ(grid.earlier(5, 1), (std::vector<int>{0, 1, 2, 4}));
+    EXPECT_EQ(grid.earlier(5, 9), (std::vector<int>{0, 1, 2, 4}));
+    EXPECT_EQ(grid.earlier(10, 1), (std::vector<int>{5, 6, 7, 9}));
+    EXPECT_EQ(grid.earlier(10, 2), (std::vector<int>{5, 6, 7, 9, 0, 1, 2, 3, 4, 8}));
+    EXPECT_TRUE(grid.earlier(0, 5).empty());
+    EXPECT_TRUE(grid.earlier(5, 0).empty());
+}
+
+TEST(BlockGrid, WaitsForWhatItOverlaps) {
+    const BlockGrid grid(42, 32, 12, 2, false);
+    const auto successors = grid.successors();
+    EXPECT_EQ(successors[0], (std::vector<int>{1, 4, 5}));
+    EXPECT_EQ(successors[5], (std::vector<int>{6, 8, 9, 10}));
+    EXPECT_TRUE(successors[11].empty());
+    // A ring of five: the last column meets the first of its own row, of the row above and of the row below.
+    const BlockGrid ring(50, 50, 12, 2, true);
+    const auto around = ring.successors();
+    EXPECT_EQ(ring.count(), 25);
+    EXPECT_EQ(around[0], (std::vector<int>{1, 4, 5, 6, 9, 20, 21, 24}));
 }
 
 TEST(Quilting, ConstantTextureStaysConstant) {
