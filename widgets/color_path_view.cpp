@@ -131,14 +131,14 @@ QWidget* ColorPathView::makePresets() {
 void ColorPathView::setRecoloring(const std::optional<gradient::ColorPath>& path) {
     m_path = path;
     if (path) m_last = *path;
-    show();
+    showPath();
 }
 
 void ColorPathView::setOwnColors(const gradient::Gradient& colors) {
     m_own = colors;
     setEnabled(!colors.empty());
     m_bar->setOwnColors(colors);
-    show();
+    showPath();
 }
 
 void ColorPathView::flip() {
@@ -162,7 +162,7 @@ void ColorPathView::edit(const std::optional<gradient::ColorPath>& path) {
     if (path == m_path) return;
     m_path = path;
     if (path) m_last = *path;
-    show();
+    showPath();
     Q_EMIT recoloringEdited(path);
 }
 
@@ -188,7 +188,7 @@ void ColorPathView::chooseColor() {
     dialog->open();
 }
 
-void ColorPathView::show() {
+void ColorPathView::showPath() {
     const QSignalBlocker quietRecolor(m_recolor);
     m_recolor->setChecked(m_path.has_value());
     m_bar->setEnabled(m_path.has_value());
@@ -209,8 +209,9 @@ void ColorPathView::showStop() {
     m_remove->setEnabled(chosen && m_path->stops.size() > 1);
     const QSignalBlocker quiet(m_position);
     m_position->setValue(chosen ? double(m_path->stops[std::size_t(stop)].position) : 0);
+    if (!chosen) return m_color->setIcon(icon("color"));
     QPixmap patch(16, 16);
-    patch.fill(chosen ? toColor(m_path->stops[std::size_t(stop)].color) : Qt::transparent);
+    patch.fill(toColor(m_path->stops[std::size_t(stop)].color));
     m_color->setIcon(patch);
 }
 

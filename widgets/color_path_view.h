@@ -45,7 +45,7 @@ private:
     void edit(const std::optional<gradient::ColorPath>& path);
     void editOnce(const std::optional<gradient::ColorPath>& path);
     void chooseColor();
-    void show();
+    void showPath();
     void showStop();
 
     std::optional<gradient::ColorPath> m_path;

@@ -76,12 +76,12 @@ GradientCurveEditor::GradientCurveEditor(QWidget* parent)
         Q_EMIT editFinished();
     });
     setSeparation(nullptr);
-    show();
+    showParams();
 }
 
 void GradientCurveEditor::setParams(const gradient::GradientParams& params) {
     m_params = params;
-    show();
+    showParams();
 }
 
 void GradientCurveEditor::setSeparation(const gradient::Separation* separation) {
@@ -89,7 +89,7 @@ void GradientCurveEditor::setSeparation(const gradient::Separation* separation) 
     m_matched = separation != nullptr ? separation->curve : gradient::SpeedCurve{};
     m_plot->setColors(separation != nullptr ? separation->averages : gradient::Gradient{},
                       separation != nullptr ? separation->sorted : gradient::Gradient{});
-    show();
+    showParams();
 }
 
 void GradientCurveEditor::edit(const gradient::GradientParams& params) {
@@ -99,7 +99,7 @@ void GradientCurveEditor::edit(const gradient::GradientParams& params) {
         m_params.matchSpeed && !params.matchSpeed && params.curve == gradient::SpeedCurve{};
     m_params = params;
     if (takesOver) m_params.curve = m_matched;
-    show();
+    showParams();
     Q_EMIT paramsEdited(m_params);
 }
 
@@ -109,11 +109,11 @@ void GradientCurveEditor::editCurve(const gradient::SpeedCurve& curve) {
     params.curve = curve;
     const bool changed = params != m_params;
     m_params = params;
-    show();
+    showParams();
     if (changed) Q_EMIT paramsEdited(m_params);
 }
 
-void GradientCurveEditor::show() {
+void GradientCurveEditor::showParams() {
     m_form->setValues(gradient::GradientParams::table().values(m_params));
     m_plot->setCurve(m_params.matchSpeed ? m_matched : m_params.curve);
     showPoint();

@@ -34,7 +34,7 @@ Q_SIGNALS:
 private:
     void edit(const gradient::GradientParams& params);
     void editCurve(const gradient::SpeedCurve& curve);
-    void show();
+    void showParams();
     void showPoint();
 
     gradient::GradientParams m_params;

@@ -23,7 +23,7 @@ MessageBar::MessageBar(QWidget* parent) : QWidget(parent), m_icon(new QLabel), m
 
 void MessageBar::showMessage(const QString& text, Kind kind) {
     m_text->setText(text);
-    m_icon->setPixmap(QIcon(kind == Kind::Error ? ":/icons/error.svg" : ":/icons/note.svg").pixmap(18));
+    m_icon->setPixmap(icon(kind == Kind::Error ? "error" : "note").pixmap(18));
     setProperty("error", kind == Kind::Error);
     style()->unpolish(this);
     style()->polish(this);

@@ -1,5 +1,6 @@
 #include "widgets/parameter_form.h"
 
+#include "widgets/tool_button.h"
 #include "widgets/wheel_guard.h"
 
 #include <QtWidgets>
@@ -10,6 +11,9 @@ namespace {
 
 /// Beyond this many steps a slider says nothing; a seed has only its number.
 constexpr double maximumSliderSteps = 100000;
+/// Room for the label and the number; forms below each other align.
+constexpr int labelWidth = 92;
+constexpr int numberWidth = 112;
 
 /// Digits behind the point that the step needs, and one more for values between steps.
 int decimals(const ParameterSpec& spec) {
@@ -36,17 +40,18 @@ ParameterForm::ParameterForm(std::vector<ParameterSpec> specs, std::vector<doubl
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(4);
+    grid->setColumnMinimumWidth(0, labelWidth);
     grid->setColumnStretch(1, 1);
     for (int i = 0; i < int(m_specs.size()); ++i) {
         addRow(*grid, i);
-        show(i, m_values[std::size_t(i)]);
+        showValue(i, m_values[std::size_t(i)]);
     }
 }
 
 void ParameterForm::setValues(std::span<const double> values) {
     for (std::size_t i = 0; i < m_values.size(); ++i) {
         m_values[i] = values[i];
-        show(int(i), values[i]);
+        showValue(int(i), values[i]);
     }
 }
 
@@ -56,13 +61,13 @@ void ParameterForm::addRow(QGridLayout& grid, int index) {
     QWidget* editor = spec.kind == ParameterSpec::Kind::Boolean  ? makeSwitch(index)
                       : spec.kind == ParameterSpec::Kind::Choice ? makeChoice(index)
                                                                  : makeNumber(index);
-    auto* reset = new QToolButton;
-    reset->setIcon(QIcon(":/icons/reset.svg"));
-    reset->setAutoRaise(true);
-    reset->setObjectName(QString::fromStdString(spec.key) + "-reset");
-    reset->setAccessibleName(tr("Reset %1").arg(label->text()));
     const double standard = m_defaults[std::size_t(index)];
-    reset->setToolTip(tr("Back to %1").arg(QString::fromStdString(spec.valueText(standard))));
+    auto* reset = makeToolButton("reset", tr("Reset %1").arg(label->text()),
+                                 tr("Back to %1").arg(QString::fromStdString(spec.valueText(standard))));
+    reset->setObjectName(QString::fromStdString(spec.key) + "-reset");
+    QSizePolicy room = reset->sizePolicy();
+    room.setRetainSizeWhenHidden(true);
+    reset->setSizePolicy(room);
     connect(reset, &QToolButton::clicked, this, [this, index, standard] {
         edit(index, standard);
         Q_EMIT editFinished();
@@ -88,7 +93,7 @@ QWidget* ParameterForm::makeNumber(int index) {
     field->setRange(spec.minimum, spec.maximum);
     field->setSingleStep(spec.step > 0 ? spec.step : 1);
     field->setKeyboardTracking(false);
-    field->setFixedWidth(104);
+    field->setFixedWidth(numberWidth);
     if (!spec.unit.empty()) field->setSuffix(" " + QString::fromStdString(spec.unit));
     WheelGuard::protect(field);
     connect(field, &QDoubleSpinBox::valueChanged, this, [this, index](double value) { edit(index, value); });
@@ -162,13 +167,13 @@ QWidget* ParameterForm::makeChoice(int index) {
 void ParameterForm::edit(int index, double value) {
     if (m_values[std::size_t(index)] == value) return;
     m_values[std::size_t(index)] = value;
-    show(index, value);
+    showValue(index, value);
     Q_EMIT valueEdited(index, value);
 }
 
-void ParameterForm::show(int index, double value) {
+void ParameterForm::showValue(int index, double value) {
     m_show[std::size_t(index)](value);
-    m_resets[std::size_t(index)]->setEnabled(value != m_defaults[std::size_t(index)]);
+    m_resets[std::size_t(index)]->setVisible(value != m_defaults[std::size_t(index)]);
 }
 
 QString ParameterForm::tooltip(int index) const {

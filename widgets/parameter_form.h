@@ -39,14 +39,14 @@ private:
     QWidget* makeSwitch(int index);
     QWidget* makeChoice(int index);
     void edit(int index, double value);
-    void show(int index, double value);
+    void showValue(int index, double value);
     QString tooltip(int index) const;
 
     std::vector<ParameterSpec> m_specs;
     std::vector<double> m_defaults;
     std::vector<double> m_values;
     std::vector<Show> m_show;            ///< puts a value into a row's editors without emitting
-    std::vector<QToolButton*> m_resets;  ///< enabled where the value is not the default
+    std::vector<QToolButton*> m_resets;  ///< shown where the value is not the default
 };
 
 /// The form of a parameter struct that has a static table().

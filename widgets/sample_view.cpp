@@ -37,14 +37,14 @@ SampleView::SampleView(QWidget* parent)
     tools->addWidget(turnOn);
     tools->addWidget(m_mirror);
     tools->addWidget(m_resetCrop);
-    tools->addSpacing(10);
-    tools->addWidget(m_scale, 1);
+    tools->addStretch(1);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
     layout->addWidget(m_canvas, 1);
     layout->addLayout(tools);
+    layout->addWidget(m_scale);
 
     connect(turnBack, &QToolButton::clicked, this, [this] { turn(-1); });
     connect(turnOn, &QToolButton::clicked, this, [this] { turn(1); });
@@ -72,7 +72,7 @@ void SampleView::setScan(const QImage& picture, QSize scanSize) {
 
 void SampleView::setParams(const sample::StripParams& params) {
     m_params = params;
-    show();
+    showParams();
 }
 
 void SampleView::turn(int quarters) {
@@ -99,11 +99,11 @@ void SampleView::resetCrop() {
 void SampleView::edit(const sample::StripParams& params) {
     if (params == m_params) return;
     m_params = params;
-    show();
+    showParams();
     Q_EMIT paramsEdited(params);
 }
 
-void SampleView::show() {
+void SampleView::showParams() {
     m_canvas->setCrop(m_params.crop);
     // A clockwise turn brings the crop's bottom edge to the strip's left, the next one its right edge.
     const int left = (3 + 3 * m_params.quarterTurns) % 4;

@@ -37,7 +37,7 @@ Q_SIGNALS:
 
 private:
     void edit(const sample::StripParams& params);
-    void show();
+    void showParams();
 
     sample::StripParams m_params;
     CropCanvas* m_canvas = nullptr;

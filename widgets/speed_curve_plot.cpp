@@ -147,7 +147,9 @@ void SpeedCurvePlot::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void SpeedCurvePlot::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton || m_sorted.empty() || pointAt(event->position()) >= 0) return;
+    // A second quick press on a point takes hold of it again.
+    if (event->button() != Qt::LeftButton || m_sorted.empty() || pointAt(event->position()) >= 0)
+        return mousePressEvent(event);
     add(toPlace(event->position()));
     m_dragging = m_selected >= 0;
     m_grip = {};

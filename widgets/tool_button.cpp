@@ -4,10 +4,32 @@
 
 namespace chiaro::widgets {
 
-QToolButton* makeToolButton(const char* icon, const QString& name, const QString& tooltip) {
+namespace {
+
+/// What can't be pressed steps back.
+QPixmap dimmed(const QPixmap& pixmap) {
+    QPixmap result(pixmap.size());
+    result.fill(Qt::transparent);
+    QPainter painter(&result);
+    painter.setOpacity(0.3);
+    painter.drawPixmap(0, 0, pixmap);
+    return result;
+}
+
+}  // namespace
+
+QIcon icon(const char* name) {
+    const QString path = QString(":/icons/%1.svg").arg(name);
+    if (!QFile::exists(path)) return {};
+    QIcon icon(path);
+    for (int size : {16, 32, 64}) icon.addPixmap(dimmed(QIcon(path).pixmap(size)), QIcon::Disabled);
+    return icon;
+}
+
+QToolButton* makeToolButton(const char* iconName, const QString& name, const QString& tooltip) {
     auto* button = new QToolButton;
-    button->setIcon(QIcon(QString(":/icons/%1.svg").arg(icon)));
-    button->setObjectName(icon);
+    button->setIcon(icon(iconName));
+    button->setObjectName(iconName);
     button->setAutoRaise(true);
     button->setAccessibleName(name);
     button->setToolTip(tooltip);

@@ -1,0 +1,23 @@
+#pragma once
+
+namespace chiaro::app {
+
+/// What of the project changed.
+struct Change {
+    enum class Kind {
+        Everything,  ///< another project
+        Samples,     ///< samples were added or removed, or the objects wear others
+        Strip,       ///< how sample `index` is cut from its scan
+        Gradient,    ///< how the gradient of sample `index` is found
+        Recoloring,  ///< the colours that sample `index` shows
+        Mesh,        ///< another mesh file
+        Lights,
+        Levels,       ///< how level stacks are made
+        ViewAligned,  ///< how they are laid on the picture
+    };
+    Kind kind = Kind::Everything;
+    int index = 0;
+    friend bool operator==(const Change&, const Change&) = default;
+};
+
+}  // namespace chiaro::app

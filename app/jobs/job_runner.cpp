@@ -1,0 +1,112 @@
+#include "app/jobs/job_runner.h"
+
+#include "core/base/error.h"
+
+#include <QtWidgets>
+
+#include <stop_token>
+
+namespace chiaro::app {
+
+struct JobRunner::Job {
+    JobSpec spec;
+    std::stop_source stop;
+    std::atomic<double> progress{0};
+};
+
+JobRunner::JobRunner(QObject* parent) : QObject(parent) {
+    // Core spreads one job over all processors; a few threads keep short jobs from waiting behind long ones.
+    m_pool.setMaxThreadCount(std::max(4, QThread::idealThreadCount()));
+    m_progressTimer.setInterval(50);
+    connect(&m_progressTimer, &QTimer::timeout, this, &JobRunner::progressed);
+}
+
+JobRunner::~JobRunner() {
+    for (const auto& [number, job] : m_jobs) job->stop.request_stop();
+    m_pool.waitForDone();
+}
+
+int JobRunner::launch(JobSpec spec, Work work) {
+    if (!spec.slot.isEmpty()) supersede(spec.slot);
+    const int number = ++m_last;
+    auto job = std::make_shared<Job>();
+    job->spec = std::move(spec);
+    m_jobs.emplace(number, job);
+    m_pool.start([this, number, job, work = std::move(work)] {
+        std::function<void()> done;
+        QString error;
+        try {
+            const Task task(job->stop.get_token(), [job](double fraction) { job->progress = fraction; });
+            task.checkpoint();
+            done = work(task);
+        } catch (const Cancelled&) {
+        } catch (const std::bad_alloc&) {
+            error = tr("%1: there is not enough memory; choose a smaller size").arg(job->spec.title);
+        } catch (const std::exception& problem) {
+            error = QString::fromStdString(problem.what());
+        }
+        QMetaObject::invokeMethod(
+            this, [this, number, done, error] { finish(number, done, error); }, Qt::QueuedConnection);
+    });
+    m_progressTimer.start();
+    Q_EMIT jobsChanged();
+    return number;
+}
+
+void JobRunner::finish(int number, const std::function<void()>& done, const QString& error) {
+    const auto found = m_jobs.find(number);
+    if (found == m_jobs.end()) return;  // cancelled or superseded meanwhile
+    const std::shared_ptr<Job> job = found->second;
+    m_jobs.erase(found);
+    if (!error.isEmpty()) {
+        if (job->spec.failed)
+            job->spec.failed(error);
+        else
+            Q_EMIT failed(error);
+    } else if (done) {
+        done();
+    }
+    ended();
+}
+
+void JobRunner::ended() {
+    Q_EMIT jobsChanged();
+    if (!isIdle()) return;
+    m_progressTimer.stop();
+    Q_EMIT idle();
+}
+
+std::vector<JobRunner::JobInfo> JobRunner::jobs() const {
+    std::vector<JobInfo> list;
+    for (const auto& [number, job] : m_jobs) list.push_back({number, job->spec.title, job->progress});
+    return list;
+}
+
+bool JobRunner::isRunning(const QString& slot) const {
+    return std::any_of(m_jobs.begin(), m_jobs.end(),
+                       [&](const auto& job) { return job.second->spec.slot == slot; });
+}
+
+void JobRunner::supersede(const QString& slot) {
+    std::erase_if(m_jobs, [&](const auto& job) {
+        if (job.second->spec.slot != slot) return false;
+        job.second->stop.request_stop();
+        return true;
+    });
+}
+
+void JobRunner::cancel(int number) {
+    const auto found = m_jobs.find(number);
+    if (found == m_jobs.end()) return;
+    const std::shared_ptr<Job> job = found->second;
+    m_jobs.erase(found);
+    job->stop.request_stop();
+    if (job->spec.cancelled) job->spec.cancelled();
+    ended();
+}
+
+void JobRunner::cancelAll() {
+    for (const JobInfo& job : jobs()) cancel(job.number);
+}
+
+}  // namespace chiaro::app

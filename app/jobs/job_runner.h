@@ -1,0 +1,86 @@
+#pragma once
+
+#include "core/base/task.h"
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <QTimer>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace chiaro::app {
+
+/// What a job is and what happens when it gives no result. The functions are called on the GUI thread.
+struct JobSpec {
+    QString title;  ///< "Synthesising oil"
+    QString slot;   ///< starting a job stops the one of the same slot and drops its result; empty: its own
+    std::function<void(const QString& message)> failed;  ///< without one the runner's failed() tells it
+    std::function<void()> cancelled;                     ///< by the artist; never when it was superseded
+};
+
+/// Runs work longer than a frame off the GUI thread.
+///
+/// Work takes immutable snapshots and a Task, and returns a value; `done` gets the value on the GUI thread,
+/// unless the job was cancelled or superseded meanwhile: then nothing of it is seen again. Errors arrive as
+/// sentences. All of this is to be called from the GUI thread.
+class JobRunner : public QObject {
+    Q_OBJECT
+
+public:
+    explicit JobRunner(QObject* parent = nullptr);
+    /// Stops all jobs and waits for their threads.
+    ~JobRunner() override;
+
+    /// Returns the job's number; numbers rise in the order of starting.
+    template <class Work, class Done>
+    int start(JobSpec spec, Work work, Done done) {
+        using Result = std::invoke_result_t<Work, const Task&>;
+        return launch(std::move(spec), [work = std::move(work), done = std::move(done)](const Task& task) {
+            auto result = std::make_shared<Result>(work(task));
+            return std::function<void()>([result, done] { done(std::move(*result)); });
+        });
+    }
+
+    struct JobInfo {
+        int number = 0;
+        QString title;
+        double progress = 0;  ///< in [0, 1]
+    };
+    std::vector<JobInfo> jobs() const;
+    bool isIdle() const { return m_jobs.empty(); }
+    bool isRunning(const QString& slot) const;
+
+    /// Drops whatever runs in a slot, silently.
+    void supersede(const QString& slot);
+
+public Q_SLOTS:
+    void cancel(int number);
+    void cancelAll();
+
+Q_SIGNALS:
+    void jobsChanged();
+    void progressed();  ///< some job's progress, at most every 50 ms
+    void failed(const QString& message);
+    void idle();  ///< the last job ended and started no other
+
+private:
+    struct Job;
+    /// Runs on a thread and returns what to do on the GUI thread.
+    using Work = std::function<std::function<void()>(const Task& task)>;
+
+    int launch(JobSpec spec, Work work);
+    void finish(int number, const std::function<void()>& done, const QString& error);
+    void ended();
+
+    QThreadPool m_pool;
+    QTimer m_progressTimer;
+    std::map<int, std::shared_ptr<Job>> m_jobs;
+    int m_last = 0;
+};
+
+}  // namespace chiaro::app

@@ -1,0 +1,347 @@
+#include "app/main_window.h"
+
+#include "app/docks/gradient_dock.h"
+#include "app/docks/parameters_dock.h"
+#include "app/docks/sample_dock.h"
+#include "app/export_dialog.h"
+#include "app/job_status.h"
+#include "app/recent_files.h"
+#include "app/viewport_link.h"
+#include "core/base/error.h"
+#include "widgets/message_bar.h"
+#include "widgets/sample_view.h"
+#include "widgets/tool_button.h"
+#include "widgets/viewport/viewport.h"
+
+#include <QtWidgets>
+
+namespace chiaro::app {
+
+namespace {
+
+constexpr std::size_t memoBytes = std::size_t(1) << 30;
+constexpr int layoutVersion = 1;  ///< of the saved arrangement of docks
+constexpr glm::vec3 viewportBackground(0.165F);
+
+const char* const projectFilter = QT_TRANSLATE_NOOP("MainWindow", "Chiaro projects (*.chiaro)");
+const char* const stripFilter =
+    QT_TRANSLATE_NOOP("MainWindow", "Strips (*.png *.tif *.tiff *.jpg *.jpeg *.exr *.webp)");
+const char* const meshFilter =
+    QT_TRANSLATE_NOOP("MainWindow", "Meshes (*.obj *.ply *.off *.stl *.glb *.gltf)");
+
+QStringList localFiles(const QMimeData& data) {
+    QStringList paths;
+    for (const QUrl& url : data.urls())
+        if (url.isLocalFile()) paths << url.toLocalFile();
+    return paths;
+}
+
+QString folderOf(const std::filesystem::path& path) {
+    return QString::fromStdString(path.parent_path().string());
+}
+
+}  // namespace
+
+MainWindow::MainWindow()
+    : m_memo(memoBytes),
+      m_paints(m_document, m_jobs, m_memo),
+      m_meshes(m_document, m_jobs, m_memo),
+      m_opener(m_document, m_jobs, m_paints, m_meshes) {
+    setAcceptDrops(true);
+    setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    makeCentralView();
+    makeDocks();
+    makeStatusBar();
+    makeMenus();
+    connectParts();
+    resize(1400, 900);
+    arrangeDocks();
+    m_standardState = saveState(layoutVersion);
+    showTitle();
+}
+
+MainWindow::~MainWindow() {
+    // The views refer to the document and what is derived from it, which are members: they go first.
+    delete takeCentralWidget();
+    qDeleteAll(findChildren<QDockWidget*>());
+}
+
+void MainWindow::makeCentralView() {
+    auto* center = new QWidget;
+    m_messages = new widgets::MessageBar;
+    m_viewport = new widgets::Viewport;
+    m_viewport->setBackground(viewportBackground);
+    auto* layout = new QVBoxLayout(center);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_messages);
+    layout->addWidget(m_viewport, 1);
+    setCentralWidget(center);
+    new ViewportLink(m_document, m_paints, m_meshes, *m_viewport, center);
+}
+
+void MainWindow::makeDocks() {
+    m_sampleDock = new SampleDock(m_document, m_paints);
+    m_gradientDock = new GradientDock(m_document, m_paints);
+    m_parametersDock = new ParametersDock(m_document);
+    m_gradientDock->setSample(m_sampleDock->currentSample());
+    addDockWidget(Qt::LeftDockWidgetArea, m_sampleDock);
+    addDockWidget(Qt::RightDockWidgetArea, m_gradientDock);
+    addDockWidget(Qt::LeftDockWidgetArea, m_parametersDock);
+}
+
+void MainWindow::arrangeDocks() {
+    resizeDocks({m_sampleDock, m_gradientDock}, {340, 340}, Qt::Horizontal);
+    resizeDocks({m_sampleDock, m_parametersDock}, {515, 335}, Qt::Vertical);
+}
+
+void MainWindow::makeStatusBar() {
+    m_frameTime = new QLabel;
+    m_frameTime->setToolTip(tr("The method shown, and how long its last frame took"));
+    statusBar()->addWidget(new JobStatus(m_jobs));
+    statusBar()->addPermanentWidget(m_frameTime);
+    statusBar()->setContentsMargins(8, 0, 10, 0);
+    statusBar()->setSizeGripEnabled(false);
+}
+
+QAction* MainWindow::addAction(QMenu& menu, const char* icon, const QString& text, const QKeySequence& keys,
+                               const std::function<void()>& triggered) {
+    QAction* action = menu.addAction(text);
+    if (icon != nullptr) action->setIcon(widgets::icon(icon));
+    action->setShortcut(keys);
+    connect(action, &QAction::triggered, this, triggered);
+    return action;
+}
+
+void MainWindow::makeMenus() {
+    makeFileMenu();
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    QAction* undo = m_document.undoStack().createUndoAction(this, tr("&Undo"));
+    undo->setIcon(widgets::icon("undo"));
+    undo->setShortcuts(QKeySequence::Undo);
+    QAction* redo = m_document.undoStack().createRedoAction(this, tr("&Redo"));
+    redo->setIcon(widgets::icon("redo"));
+    redo->setShortcuts(QKeySequence::Redo);
+    edit->addActions({undo, redo});
+    makeViewMenu();
+    makeSampleMenu();
+    makeHelpMenu();
+}
+
+void MainWindow::makeFileMenu() {
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    addAction(*file, nullptr, tr("&New Project"), QKeySequence::New, [this] { newProject(); });
+    addAction(*file, "open", tr("&Open Project…"), QKeySequence::Open,
+              [this] { openByDialog(tr("Open Project"), tr(projectFilter)); });
+    m_recent = new RecentFiles(this);
+    file->addMenu(m_recent);
+    addAction(*file, "strip", tr("Open &Strip…"), QKeySequence("Ctrl+Shift+O"),
+              [this] { openByDialog(tr("Open Strip"), tr(stripFilter)); });
+    addAction(*file, "mesh", tr("Open &Mesh…"), QKeySequence("Ctrl+M"),
+              [this] { openByDialog(tr("Open Mesh"), tr(meshFilter)); });
+    file->addSeparator();
+    addAction(*file, "save", tr("&Save"), QKeySequence::Save, [this] { save(); });
+    addAction(*file, nullptr, tr("Save &As…"), QKeySequence::SaveAs, [this] { saveAs(); });
+    addAction(*file, "export", tr("&Export Picture…"), QKeySequence("Ctrl+E"), [this] { exportPicture(); });
+    file->addSeparator();
+    addAction(*file, nullptr, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+}
+
+void MainWindow::makeViewMenu() {
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    addAction(*view, "frame", tr("&Frame All"), QKeySequence("Home"), [this] { m_viewport->frameAll(); });
+    QMenu* navigation = view->addMenu(tr("&Navigation"));
+    auto* group = new QActionGroup(this);
+    const int chosen = QSettings().value("navigation", 0).toInt();
+    int number = 0;
+    for (const QString& name : {tr("&Blender"), tr("&Maya, Painter"), tr("&Trackpad")}) {
+        QAction* action =
+            addAction(*navigation, nullptr, name, {}, [this, number] { setNavigation(number); });
+        action->setCheckable(true);
+        action->setChecked(number == chosen);
+        group->addAction(action);
+        ++number;
+    }
+    setNavigation(chosen);
+    view->addSeparator();
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
+    addAction(*view, nullptr, tr("&Reset Layout"), {},
+              [this] { restoreState(m_standardState, layoutVersion); });
+}
+
+void MainWindow::makeSampleMenu() {
+    QMenu* sample = menuBar()->addMenu(tr("&Sample"));
+    widgets::SampleView* view = m_sampleDock->sampleView();
+    QList<QAction*> edits{
+        addAction(*sample, "turn-left", tr("Turn &Left"), QKeySequence("Ctrl+["), [view] { view->turn(-1); }),
+        addAction(*sample, "turn-right", tr("Turn &Right"), QKeySequence("Ctrl+]"),
+                  [view] { view->turn(1); }),
+        addAction(*sample, "mirror", tr("&Mirror"), {}, [view] { view->mirror(); }),
+        addAction(*sample, "crop-reset", tr("&Whole Scan"), {}, [view] { view->resetCrop(); })};
+    sample->addSeparator();
+    edits << addAction(*sample, "paint", tr("&Paint Everything"), {},
+                       [this] { m_document.wearEverywhere(m_sampleDock->currentSample()); });
+    addAction(*sample, nullptr, tr("&Synthesise Again"), QKeySequence("F5"), [this] { m_paints.retry(); });
+    connect(sample, &QMenu::aboutToShow, this, [this, edits] {
+        for (QAction* action : edits) action->setEnabled(m_sampleDock->currentSample() >= 0);
+    });
+}
+
+void MainWindow::makeHelpMenu() {
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    addAction(*help, "note", tr("&About Chiaro"), {}, [this] {
+        QMessageBox::about(this, tr("About Chiaro"),
+                           tr("<h3>Chiaro %1</h3><p>Shades 3D meshes with an artist's own paint.</p>"
+                              "<p>After Kulla, Tucek, Bailey and Grimm, <i>Using Texture Synthesis for "
+                              "Non-Photorealistic Shading from Paint Samples</i>, WUCSE-2003-54.</p>"
+                              "<p>GPL-3.0-or-later</p>")
+                               .arg(CHIARO_VERSION));
+    });
+}
+
+void MainWindow::connectParts() {
+    connect(&m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
+    connect(&m_document, &Document::pathChanged, this, &MainWindow::showTitle);
+    connect(&m_jobs, &JobRunner::failed, this, &MainWindow::showError);
+    connect(&m_opener, &Opener::failed, this, &MainWindow::showError);
+    connect(&m_opener, &Opener::noted, this, &MainWindow::showNote);
+    connect(&m_opener, &Opener::projectOpened, this, [this](const QString& path) {
+        m_messages->hide();
+        m_recent->add(path);
+    });
+    connect(&m_opener, &Opener::sampleOpened, m_sampleDock, &SampleDock::selectSample);
+    m_opener.setReplaceQuestion([this] { return mayDiscard(); });
+    connect(m_recent, &RecentFiles::chosen, this, [this](const QString& path) { open({path}); });
+    connect(m_sampleDock, &SampleDock::currentSampleChanged, m_gradientDock, &GradientDock::setSample);
+    connect(m_sampleDock, &SampleDock::currentSampleChanged, &m_opener, &Opener::setCurrentSample);
+    connect(m_sampleDock, &SampleDock::addWanted, this,
+            [this] { openByDialog(tr("Open Strip"), tr(stripFilter)); });
+    connect(m_viewport, &widgets::Viewport::filesDropped, this, &MainWindow::open);
+    connect(m_viewport, &widgets::Viewport::frameDrawn, this, [this](double milliseconds) {
+        m_frameTime->setText(tr("View-aligned · %1 ms").arg(milliseconds, 0, 'f', 1));
+    });
+}
+
+void MainWindow::setNavigation(int navigation) {
+    m_viewport->setNavigation(widgets::Viewport::Navigation(navigation));
+    QSettings().setValue("navigation", navigation);
+}
+
+void MainWindow::newProject() {
+    if (mayDiscard()) m_document.replace({}, {}, {});
+}
+
+void MainWindow::openByDialog(const QString& title, const QString& filter) {
+    QSettings settings;
+    const QString folder = settings.value("folder/" + title).toString();
+    const QStringList paths = QFileDialog::getOpenFileNames(this, title, folder, filter);
+    if (paths.isEmpty()) return;
+    settings.setValue("folder/" + title, QFileInfo(paths.front()).path());
+    open(paths);
+}
+
+bool MainWindow::save() {
+    if (m_document.path().empty()) return saveAs();
+    return saveTo(QString::fromStdString(m_document.path().string()));
+}
+
+bool MainWindow::saveAs() {
+    const QString suggestion = folderOf(m_document.path()) + "/" + m_document.name() + ".chiaro";
+    QString path = QFileDialog::getSaveFileName(this, tr("Save Project"), suggestion, tr(projectFilter));
+    if (path.isEmpty()) return false;
+    if (!path.endsWith(".chiaro")) path += ".chiaro";
+    return saveTo(path);
+}
+
+bool MainWindow::saveTo(const QString& path) {
+    try {
+        m_document.save(std::filesystem::absolute(path.toStdString()));
+    } catch (const std::exception& problem) {
+        showError(QString::fromStdString(problem.what()));
+        return false;
+    }
+    m_recent->add(path);
+    return true;
+}
+
+bool MainWindow::mayDiscard() {
+    if (!m_document.isModified()) return true;
+    const auto answer = QMessageBox::question(
+        this, tr("Unsaved Changes"), tr("%1 has changes that are not saved.").arg(m_document.name()),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
+}
+
+void MainWindow::exportPicture() {
+    const double ratio = m_viewport->devicePixelRatioF();
+    PictureSource source{m_document.project(),
+                         m_meshes.scene(),
+                         m_viewport->camera(),
+                         {},
+                         m_viewport->placements(),
+                         int(m_viewport->width() * ratio),
+                         int(m_viewport->height() * ratio)};
+    PictureSettings suggestion;
+    suggestion.width = source.viewportWidth;
+    suggestion.height = source.viewportHeight;
+    suggestion.background = viewportBackground;
+    suggestion.path = (folderOf(m_document.path()) + "/" + m_document.name() + ".png").toStdString();
+    ExportDialog dialog(suggestion, this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    for (int sample = 0; sample < int(source.project.samples.size()); ++sample) {
+        const Paints::State& state = m_paints.state(sample);
+        source.paints.push_back({state.levelsAreFinal ? state.levels : nullptr, m_paints.gradient(sample)});
+    }
+    const PictureSettings settings = dialog.settings();
+    const QString name = QString::fromStdString(settings.path.filename().string());
+    m_jobs.start(
+        {tr("Exporting %1").arg(name), {}, {}, {}},
+        [source, settings](const Task& task) {
+            app::exportPicture(source, settings, task);
+            return true;
+        },
+        [this, path = settings.path](bool) {
+            showNote(tr("The picture is at %1").arg(QString::fromStdString(path.string())));
+        });
+}
+
+void MainWindow::showError(const QString& message) {
+    m_messages->showMessage(message, widgets::MessageBar::Kind::Error);
+    Q_EMIT errorShown(message);
+}
+
+void MainWindow::showNote(const QString& message) {
+    m_messages->showMessage(message, widgets::MessageBar::Kind::Note);
+}
+
+void MainWindow::showTitle() {
+    setWindowTitle(tr("%1[*] — Chiaro").arg(m_document.name()));
+    setWindowModified(m_document.isModified());
+}
+
+void MainWindow::restoreLayout() {
+    const QSettings settings;
+    restoreGeometry(settings.value("window/geometry").toByteArray());
+    restoreState(settings.value("window/state").toByteArray(), layoutVersion);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!mayDiscard()) return event->ignore();
+    QSettings settings;
+    settings.setValue("window/geometry", saveGeometry());
+    settings.setValue("window/state", saveState(layoutVersion));
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!localFiles(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    event->acceptProposedAction();
+    open(localFiles(*event->mimeData()));
+}
+
+}  // namespace chiaro::app

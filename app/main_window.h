@@ -1,0 +1,102 @@
+#pragma once
+
+#include "app/document.h"
+#include "app/jobs/job_runner.h"
+#include "app/jobs/memo.h"
+#include "app/meshes.h"
+#include "app/opener.h"
+#include "app/paints.h"
+
+#include <QMainWindow>
+
+class QLabel;
+
+namespace chiaro::widgets {
+class MessageBar;
+class Viewport;
+}  // namespace chiaro::widgets
+
+namespace chiaro::app {
+
+class GradientDock;
+class ParametersDock;
+class RecentFiles;
+class SampleDock;
+
+/// The studio's window: the viewport, the docks around it and the menus. It puts the parts together; each
+/// part wires itself to the document.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    MainWindow();
+    ~MainWindow() override;
+
+    void open(const QStringList& paths) { m_opener.open(paths); }
+    /// Where docks were and how large the window was when it was closed last.
+    void restoreLayout();
+
+    Document& document() { return m_document; }
+    JobRunner& jobs() { return m_jobs; }
+    Paints& paints() { return m_paints; }
+    widgets::Viewport& viewport() { return *m_viewport; }
+    widgets::MessageBar& messages() { return *m_messages; }
+    SampleDock& sampleDock() { return *m_sampleDock; }
+    GradientDock& gradientDock() { return *m_gradientDock; }
+
+public Q_SLOTS:
+    /// False when the artist changed their mind or the disk refused.
+    bool save();
+    bool saveAs();
+    void exportPicture();
+    void showError(const QString& message);
+    void showNote(const QString& message);
+
+Q_SIGNALS:
+    void errorShown(const QString& message);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void makeCentralView();
+    void makeDocks();
+    void arrangeDocks();
+    void makeStatusBar();
+    void makeMenus();
+    void makeFileMenu();
+    void makeViewMenu();
+    void makeSampleMenu();
+    void makeHelpMenu();
+    void connectParts();
+    QAction* addAction(QMenu& menu, const char* icon, const QString& text, const QKeySequence& keys,
+                       const std::function<void()>& triggered);
+
+    void newProject();
+    void openByDialog(const QString& title, const QString& filter);
+    bool saveTo(const QString& path);
+    bool mayDiscard();
+    void showTitle();
+    void setNavigation(int navigation);
+
+    // What the window shows, in the order that it depends on each other.
+    Document m_document;
+    Memo m_memo;
+    JobRunner m_jobs;
+    Paints m_paints;
+    Meshes m_meshes;
+    Opener m_opener;
+
+    widgets::MessageBar* m_messages = nullptr;
+    widgets::Viewport* m_viewport = nullptr;
+    SampleDock* m_sampleDock = nullptr;
+    GradientDock* m_gradientDock = nullptr;
+    ParametersDock* m_parametersDock = nullptr;
+    RecentFiles* m_recent = nullptr;
+    QLabel* m_frameTime = nullptr;
+    QByteArray m_standardState;
+};
+
+}  // namespace chiaro::app

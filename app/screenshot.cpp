@@ -1,0 +1,44 @@
+#include "app/screenshot.h"
+
+#include "app/main_window.h"
+
+#include <QtWidgets>
+
+#include <cstdio>
+
+namespace chiaro::app {
+
+namespace {
+
+constexpr int lookMilliseconds = 50;
+constexpr int quietLooksNeeded = 16;  ///< time for the last results to reach the picture
+constexpr int maximumLooks = 300'000 / lookMilliseconds;
+
+}  // namespace
+
+Screenshot::Screenshot(MainWindow& window, const QString& path)
+    : QObject(&window), m_window(window), m_path(path) {
+    connect(&window, &MainWindow::errorShown, this, [](const QString& message) {
+        std::fprintf(stderr, "chiaro-studio: %s\n", qPrintable(message));
+        QCoreApplication::exit(1);
+    });
+    connect(&m_timer, &QTimer::timeout, this, &Screenshot::look);
+    m_timer.start(lookMilliseconds);
+}
+
+void Screenshot::look() {
+    m_quietLooks = m_window.jobs().isIdle() ? m_quietLooks + 1 : 0;
+    if (m_quietLooks >= quietLooksNeeded) return take();
+    if (++m_looks < maximumLooks) return;
+    std::fprintf(stderr, "chiaro-studio: the window never settled\n");
+    QCoreApplication::exit(1);
+}
+
+void Screenshot::take() {
+    m_timer.stop();
+    const bool written = m_window.grab().save(m_path);
+    if (!written) std::fprintf(stderr, "chiaro-studio: %s: can't be written\n", qPrintable(m_path));
+    QCoreApplication::exit(written ? 0 : 1);
+}
+
+}  // namespace chiaro::app

@@ -1,0 +1,70 @@
+#include "app/viewport_link.h"
+
+#include "app/document.h"
+#include "app/meshes.h"
+#include "app/paints.h"
+#include "core/project/pipeline.h"
+#include "widgets/viewport/viewport.h"
+
+#include <QtWidgets>
+
+namespace chiaro::app {
+
+using widgets::Viewport;
+
+ViewportLink::ViewportLink(Document& document, Paints& paints, Meshes& meshes, Viewport& viewport,
+                           QObject* parent)
+    : QObject(parent), m_document(document), m_paints(paints), m_meshes(meshes), m_viewport(viewport) {
+    connect(&document, &Document::changed, this, &ViewportLink::applyChange);
+    connect(&meshes, &Meshes::sceneChanged, this, &ViewportLink::showScene);
+    connect(&paints, &Paints::levelsChanged, this, &ViewportLink::showPaint);
+    connect(&paints, &Paints::gradientChanged, this,
+            [this](int sample) { m_viewport.setGradient(sample, m_paints.gradient(sample)); });
+    connect(&viewport, &Viewport::cameraEdited, &document, &Document::setCamera);
+    connect(&viewport, &Viewport::lightEdited, &document, &Document::editLight);
+    connect(&viewport, &Viewport::lightEditFinished, &document, &Document::finishEdit);
+    applyChange({});
+    showScene();
+}
+
+void ViewportLink::applyChange(Change change) {
+    using Kind = Change::Kind;
+    const project::Project& project = m_document.project();
+    switch (change.kind) {
+        case Kind::Everything:
+            m_viewport.setParams(project.viewAligned);
+            m_viewport.setLights(project.lights);
+            [[fallthrough]];
+        case Kind::Samples:
+            for (int sample = 0; sample < int(project.samples.size()); ++sample) showPaint(sample);
+            break;
+        case Kind::Lights:
+            m_viewport.setLights(project.lights);
+            break;
+        case Kind::ViewAligned:
+            m_viewport.setParams(project.viewAligned);
+            break;
+        case Kind::Strip:
+        case Kind::Gradient:
+        case Kind::Recoloring:
+        case Kind::Levels:
+        case Kind::Mesh:
+            break;
+    }
+}
+
+void ViewportLink::showScene() {
+    const scene::Scene scene = m_meshes.scene();
+    m_viewport.setScene(scene);
+    std::vector<std::shared_ptr<const scene::Mesh>> meshes;
+    for (const scene::Object& object : scene.objects) meshes.push_back(object.mesh);
+    if (meshes == m_framed) return;
+    m_framed = std::move(meshes);
+    m_viewport.setCamera(project::cameraFor(m_document.project(), scene));
+}
+
+void ViewportLink::showPaint(int sample) {
+    m_viewport.setPaint(sample, {m_paints.state(sample).levels, m_paints.gradient(sample)});
+}
+
+}  // namespace chiaro::app

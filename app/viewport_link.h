@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/change.h"
+#include "core/scene/mesh.h"
+
+#include <QObject>
+
+#include <memory>
+#include <vector>
+
+namespace chiaro::widgets {
+class Viewport;
+}
+
+namespace chiaro::app {
+
+class Document;
+class Meshes;
+class Paints;
+
+/// Keeps the viewport showing the document, and takes back what the artist does in it: the camera, the light.
+class ViewportLink : public QObject {
+    Q_OBJECT
+
+public:
+    ViewportLink(Document& document, Paints& paints, Meshes& meshes, widgets::Viewport& viewport,
+                 QObject* parent = nullptr);
+
+private:
+    void applyChange(Change change);
+    void showScene();
+    void showPaint(int sample);
+
+    Document& m_document;
+    Paints& m_paints;
+    Meshes& m_meshes;
+    widgets::Viewport& m_viewport;
+    std::vector<std::shared_ptr<const scene::Mesh>> m_framed;  ///< that the camera was aimed at
+};
+
+}  // namespace chiaro::app

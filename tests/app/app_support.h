@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/document.h"
+#include "app/jobs/job_runner.h"
+#include "app/jobs/memo.h"
+#include "app/meshes.h"
+#include "app/opener.h"
+#include "app/paints.h"
+#include "tests/support/support.h"
+
+#include <filesystem>
+
+namespace chiaro::test {
+
+/// A strip from dark to light with brush marks, written to a file.
+std::filesystem::path writeStrip(const std::filesystem::path& path, int width = 160, int height = 48);
+/// A tetrahedron named `name`, as an OBJ file.
+std::filesystem::path writeTetrahedron(const std::filesystem::path& path, const std::string& name);
+
+/// What lies behind the studio's window, without the window.
+struct Studio {
+    app::Document document;
+    app::Memo memo{std::size_t(256) << 20};
+    app::JobRunner jobs;
+    app::Paints paints{document, jobs, memo};
+    app::Meshes meshes{document, jobs, memo};
+    app::Opener opener{document, jobs, paints, meshes};
+    std::vector<QString> errors;
+
+    /// Small levels, so that tests are quick.
+    Studio();
+    /// Waits until nothing runs. False when that takes more than a minute.
+    bool settle();
+    /// Opens files and waits.
+    bool open(const std::vector<std::filesystem::path>& paths);
+};
+
+/// The project without its camera, which is no part of the history.
+project::Project withoutCamera(project::Project project);
+
+}  // namespace chiaro::test

@@ -1,0 +1,157 @@
+#include "app/docks/gradient_dock.h"
+#include "app/docks/parameters_dock.h"
+#include "app/docks/sample_dock.h"
+#include "tests/app/app_support.h"
+#include "widgets/color_path_bar.h"
+#include "widgets/color_path_view.h"
+#include "widgets/gradient_curve_editor.h"
+#include "widgets/speed_curve_plot.h"
+
+#include <QtTest>
+#include <QtWidgets>
+
+using namespace chiaro;
+using test::Studio;
+
+namespace {
+
+/// The docks in a window of their own, wired as the studio's are.
+struct Docks {
+    Studio studio;
+    QMainWindow window;
+    app::SampleDock* sample = new app::SampleDock(studio.document, studio.paints);
+    app::GradientDock* gradient = new app::GradientDock(studio.document, studio.paints);
+    app::ParametersDock* parameters = new app::ParametersDock(studio.document);
+
+    Docks() {
+        window.addDockWidget(Qt::LeftDockWidgetArea, sample);
+        window.addDockWidget(Qt::RightDockWidgetArea, gradient);
+        window.addDockWidget(Qt::LeftDockWidgetArea, parameters);
+        QObject::connect(sample, &app::SampleDock::currentSampleChanged, gradient,
+                         &app::GradientDock::setSample);
+        gradient->setSample(sample->currentSample());
+        window.resize(800, 900);
+        window.show();
+        (void)QTest::qWaitForWindowExposed(&window);
+    }
+    const project::Sample& current() {
+        return studio.document.project().samples[std::size_t(sample->currentSample())];
+    }
+    QUndoStack& undo() { return studio.document.undoStack(); }
+};
+
+/// The longest time that the thread of windows was held up while something ran.
+class Watchdog {
+public:
+    Watchdog() {
+        m_heart.setInterval(1);
+        QObject::connect(&m_heart, &QTimer::timeout, &m_heart,
+                         [this] { m_longest = std::max(m_longest, m_beat.restart()); });
+        m_beat.start();
+        m_heart.start();
+    }
+    qint64 longest() const { return m_longest; }
+
+private:
+    QTimer m_heart;
+    QElapsedTimer m_beat;
+    qint64 m_longest = 0;
+};
+
+}  // namespace
+
+class DocksTest : public QObject {
+    Q_OBJECT
+
+    test::TemporaryFolder m_folder;
+
+private Q_SLOTS:
+    void anEmptyProjectShowsEmptyDocks() {
+        Docks docks;
+        QCOMPARE(docks.sample->currentSample(), -1);
+        QVERIFY(!docks.gradient->curveEditor()->isEnabled());
+        QVERIFY(!docks.gradient->colorView()->isEnabled());
+    }
+
+    void aNewSampleIsShownAndItsRemovalLeavesTheRest() {
+        Docks docks;
+        QVERIFY(docks.studio.open(
+            {test::writeStrip(m_folder / "one.png"), test::writeStrip(m_folder / "two.png")}));
+        auto* list = docks.sample->findChild<QListWidget*>("samples");
+        QCOMPARE(list->count(), 2);
+        list->setCurrentRow(1);
+        QCOMPARE(docks.sample->currentSample(), 1);
+        QVERIFY(docks.gradient->curveEditor()->isEnabled());
+        docks.sample->findChild<QToolButton*>("remove")->click();
+        QCOMPARE(list->count(), 1);
+        QCOMPARE(docks.sample->currentSample(), 0);
+        docks.undo().undo();
+        QCOMPARE(list->count(), 2);
+    }
+
+    void draggingACurvePointIsOneStepOfTheDocument() {
+        Docks docks;
+        QVERIFY(docks.studio.open({test::writeStrip(m_folder / "one.png")}));
+        const project::Project before = docks.studio.document.project();
+        widgets::SpeedCurvePlot& plot = *docks.gradient->curveEditor()->plot();
+        docks.gradient->findChild<QToolButton*>("straighten")->click();
+        QVERIFY(!docks.current().gradient.matchSpeed);
+        QCOMPARE(docks.undo().count(), 2);
+        const QPoint place = plot.toWidget({0.5F, 0.25F}).toPoint();
+        QTest::mouseDClick(&plot, Qt::LeftButton, {}, place);
+        QCOMPARE(docks.undo().count(), 3);
+        QTest::mousePress(&plot, Qt::LeftButton, {}, place);
+        for (int step = 1; step <= 20; ++step) QTest::mouseMove(&plot, place + QPoint(step, -step));
+        QTest::mouseRelease(&plot, Qt::LeftButton, {}, place + QPoint(20, -20));
+        QCOMPARE(docks.undo().count(), 4);
+        QVERIFY(docks.studio.settle());
+        while (docks.undo().index() > 1) docks.undo().undo();
+        QCOMPARE(docks.studio.document.project(), before);
+        QCOMPARE(plot.curve(), docks.studio.paints.state(0).separated->separation.curve);
+    }
+
+    void aPresetRecoloursTheSampleAndItsSwatch() {
+        Docks docks;
+        QVERIFY(docks.studio.open({test::writeStrip(m_folder / "one.png")}));
+        auto* list = docks.sample->findChild<QListWidget*>("samples");
+        const QImage before = list->item(0)->icon().pixmap(72, 18).toImage();
+        docks.gradient->findChild<QToolButton*>("preset-3")->click();
+        QVERIFY(docks.current().recoloring.has_value());
+        QVERIFY(list->item(0)->icon().pixmap(72, 18).toImage() != before);
+        docks.undo().undo();
+        QVERIFY(!docks.current().recoloring.has_value());
+        QCOMPARE(list->item(0)->icon().pixmap(72, 18).toImage(), before);
+        QVERIFY(!docks.gradient->findChild<QCheckBox*>("recolour")->isChecked());
+    }
+
+    void parametersReachTheProjectAndComeBackWithUndo() {
+        Docks docks;
+        auto* block = docks.parameters->findChild<QDoubleSpinBox*>("block");
+        const double before = block->value();
+        block->selectAll();
+        QTest::keyClicks(block, "24");
+        QTest::keyClick(block, Qt::Key_Return);
+        QCOMPARE(docks.studio.document.project().levels.quilt.block, 24);
+        docks.undo().undo();
+        QCOMPARE(block->value(), before);
+    }
+
+    void loadingTheDemoNeverHoldsTheWindowUp() {
+        if (!std::filesystem::exists(test::resource("demo/demo.chiaro"))) QSKIP("no demo project");
+        // Other programs may hold it up as well: the best of three counts.
+        qint64 longest = std::numeric_limits<qint64>::max();
+        for (int attempt = 0; attempt < 3 && longest >= 50; ++attempt) {
+            Docks docks;
+            const Watchdog watchdog;
+            QVERIFY(docks.studio.open({test::resource("demo/demo.chiaro")}));
+            QVERIFY(docks.studio.errors.empty());
+            QVERIFY(docks.studio.paints.state(docks.sample->currentSample()).levelsAreFinal);
+            qInfo("longest time without an event: %lld ms", watchdog.longest());
+            longest = std::min(longest, watchdog.longest());
+        }
+        QVERIFY2(longest < 50, "loading or synthesis holds the window up");
+    }
+};
+
+QTEST_MAIN(DocksTest)
+#include "docks_test.moc"

@@ -1,0 +1,192 @@
+#include "tests/app/app_support.h"
+
+#include <QtTest>
+
+using namespace chiaro;
+using app::Change;
+using app::Document;
+
+namespace {
+
+project::Project twoSamples() {
+    project::Project project;
+    project.samples.resize(2);
+    project.samples[0].name = "oil";
+    project.samples[1].name = "chalk";
+    project.mesh = "/meshes/head.obj";
+    project.objects.resize(2);
+    project.objects[0].name = "skull";
+    project.objects[1].name = "jaw";
+    project.objects[1].sample = 1;
+    return project;
+}
+
+const std::vector<std::string> objectNames{"skull", "jaw"};
+
+gradient::ColorPath pathTo(glm::vec3 color) {
+    return {{{0, glm::vec3(0)}, {1, color}}, gradient::ColorPath::Space::Rgb};
+}
+
+synthesis::LevelParams levels(int count) {
+    synthesis::LevelParams params;
+    params.count = count;
+    return params;
+}
+
+}  // namespace
+
+class DocumentTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aDragIsOneStep() {
+        Document document;
+        document.replace(twoSamples(), {}, objectNames);
+        QSignalSpy changed(&document, &Document::changed);
+        for (int i = 1; i <= 10; ++i) document.editRecoloring(0, pathTo(glm::vec3(float(i) / 10)));
+        document.finishEdit();
+        QCOMPARE(changed.count(), 10);
+        QCOMPARE(document.undoStack().count(), 1);
+        document.editRecoloring(0, pathTo(glm::vec3(0.5F)));
+        QCOMPARE(document.undoStack().count(), 2);
+        document.undoStack().undo();
+        QCOMPARE(document.project().samples[0].recoloring, std::optional(pathTo(glm::vec3(1))));
+        document.undoStack().undo();
+        QVERIFY(!document.project().samples[0].recoloring.has_value());
+    }
+
+    void samplesAreEditedApart() {
+        Document document;
+        document.replace(twoSamples(), {}, objectNames);
+        document.editRecoloring(0, pathTo(glm::vec3(1)));
+        document.editRecoloring(1, pathTo(glm::vec3(1)));
+        QCOMPARE(document.undoStack().count(), 2);
+    }
+
+    void anEditThatChangesNothingIsNoStep() {
+        Document document;
+        document.replace(twoSamples(), {}, objectNames);
+        document.editStrip(0, document.project().samples[0].strip);
+        QCOMPARE(document.undoStack().count(), 0);
+        QVERIFY(!document.isModified());
+    }
+
+    void aDragThatEndsWhereItBeganVanishes() {
+        Document document;
+        document.replace(twoSamples(), {}, objectNames);
+        document.editLevels(levels(9));  // so that the drag isn't merged into the clean state
+        document.finishEdit();
+        const auto before = document.project();
+        sample::StripParams params = before.samples[0].strip;
+        params.scale = 2;
+        document.editStrip(0, params);
+        document.editStrip(0, before.samples[0].strip);
+        document.finishEdit();
+        QCOMPARE(document.project(), before);
+        QCOMPARE(document.undoStack().count(), 1);
+    }
+
+    void undoOfEverythingGivesBackTheProject() {
+        Document document;
+        document.replace(twoSamples(), {}, objectNames);
+        const auto before = document.project();
+        sample::StripParams strip;
+        strip.mirror = true;
+        gradient::GradientParams gradient;
+        gradient.searchScale = 3;
+        document.editStrip(0, strip);
+        document.editGradient(1, gradient);
+        document.editRecoloring(1, pathTo({1, 0, 0}));
+        document.editLevels(levels(16));
+        document.editViewAligned({.density = 2});
+        document.editLight(0, {1, 0, 0});
+        document.addSample({}, 0);
+        document.wearEverywhere(2);
+        document.setMesh("/meshes/other.obj", {"whole"}, 1);
+        document.removeSample(0);
+        QCOMPARE(document.undoStack().count(), 10);
+        const auto after = document.project();
+        while (document.undoStack().canUndo()) document.undoStack().undo();
+        QCOMPARE(test::withoutCamera(document.project()), before);
+        QVERIFY(!document.isModified());
+        while (document.undoStack().canRedo()) document.undoStack().redo();
+        QCOMPARE(test::withoutCamera(document.project()), after);
+    }
+
+    void aNewSampleIsWornInsteadOfTheSelectedOne() {
+        Document document;
+        document.replace(twoSamples(), {}, objectNames);
+        QCOMPARE(document.addSample({}, 0), 2);
+        QCOMPARE(document.project().objects[0].sample, 2);
+        QCOMPARE(document.project().objects[1].sample, 1);
+        QVERIFY(!document.isWorn(0));
+        QVERIFY(document.isWorn(2));
+    }
+
+    void objectsThatTheProjectDoesNotNameFollowToo() {
+        Document document;
+        project::Project project = twoSamples();
+        project.objects.clear();
+        document.replace(project, {}, objectNames);
+        QVERIFY(document.isWorn(0));
+        document.addSample({}, 0);
+        QCOMPARE(document.project().objects.size(), 2U);
+        QVERIFY(!document.isWorn(0));
+        document.undoStack().undo();
+        QVERIFY(document.project().objects.empty());
+    }
+
+    void removingASampleRedressesItsObjects() {
+        Document document;
+        document.replace(twoSamples(), {}, objectNames);
+        document.removeSample(0);
+        QCOMPARE(document.project().samples.size(), 1U);
+        QCOMPARE(document.project().objects[0].sample, 0);
+        QCOMPARE(document.project().objects[1].sample, 0);
+    }
+
+    void undoingAMeshBringsItsObjectsBack() {
+        Document document;
+        document.replace(twoSamples(), {}, objectNames);
+        document.setMesh("/meshes/other.obj", {"whole"}, 0);
+        QVERIFY(!document.isWorn(1));
+        document.undoStack().undo();
+        QVERIFY(document.isWorn(1));
+        QCOMPARE(document.project().mesh, std::filesystem::path("/meshes/head.obj"));
+    }
+
+    void lookingAroundIsNoEdit() {
+        Document document;
+        document.replace(twoSamples(), {}, objectNames);
+        scene::Camera camera;
+        camera.azimuth = 77;
+        document.setCamera(camera);
+        QVERIFY(!document.isModified());
+        QCOMPARE(document.project().camera.azimuth, 77.0F);
+    }
+
+    void savedAndReadAgainItIsTheSame() {
+        const test::TemporaryFolder folder;
+        Document document;
+        document.replace(twoSamples(), {}, objectNames);
+        document.editRecoloring(0, pathTo({1, 0.5F, 0}));
+        QVERIFY(document.isModified());
+        document.save(folder / "study.chiaro");
+        QVERIFY(!document.isModified());
+        QCOMPARE(document.name(), "study");
+        const project::Project read = project::readProject(folder / "study.chiaro");
+        QCOMPARE(read.samples[0].recoloring, document.project().samples[0].recoloring);
+    }
+
+    void aRefusedSaveLeavesItModified() {
+        Document document;
+        document.replace(twoSamples(), {}, objectNames);
+        document.editLevels(levels(5));
+        QVERIFY_EXCEPTION_THROWN(document.save("/proc/nowhere/study.chiaro"), std::exception);
+        QVERIFY(document.isModified());
+        QVERIFY(document.path().empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(DocumentTest)
+#include "document_test.moc"
