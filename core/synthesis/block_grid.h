@@ -16,6 +16,7 @@ class BlockGrid {
 public:
     BlockGrid(int width, int height, int block, int overlap, bool wrap);
 
+    int columns() const { return m_columns.count; }
     int count() const { return m_columns.count * m_rows.count; }
     BlockSite site(int index) const;
     /// The widest overlap of two neighbours.

@@ -67,9 +67,20 @@ std::vector<Level> prepareLevels(const ColorImage& strip, const std::vector<glm:
         level.task.source = &level.source;
         level.task.width = level.task.height = params.size;
         level.task.variety = levelVariety;
-        level.task.wrap = params.tiling == Tiling::Seam;
     }
     return levels;
+}
+
+QuiltResult quiltLevel(const Level& level, Tiling tiling, Task::Steps& steps) {
+    if (tiling == Tiling::Seam) return quiltTileable(level.task, level.params, steps);
+    QuiltResult result = quilt(level.task, level.params, steps);
+    result.texture = tiledByMask(result.texture);
+    return result;
+}
+
+std::size_t levelBlockCount(const Level& level, Tiling tiling) {
+    return tiling == Tiling::Seam ? tileableBlockCount(level.task, level.params)
+                                  : blockCount(level.task, level.params);
 }
 
 QuiltReport joined(const std::vector<QuiltResult>& results) {
@@ -113,14 +124,12 @@ LevelStack makeLevels(const ColorImage& strip, const std::vector<glm::vec3>& gra
     QuiltParams::table().check(params.quilt);
     std::vector<Level> levels = prepareLevels(strip, gradient, params);
     std::size_t blocks = 0;
-    for (const Level& level : levels) blocks += blockCount(level.task, level.params);
+    for (const Level& level : levels) blocks += levelBlockCount(level, params.tiling);
     Task::Steps steps(task, blocks);
 
     std::vector<QuiltResult> results(levels.size());
-    tbb::parallel_for(std::size_t(0), levels.size(), [&](std::size_t i) {
-        results[i] = quilt(levels[i].task, levels[i].params, steps);
-        if (params.tiling == Tiling::Mask) results[i].texture = tiledByMask(results[i].texture);
-    });
+    tbb::parallel_for(std::size_t(0), levels.size(),
+                      [&](std::size_t i) { results[i] = quiltLevel(levels[i], params.tiling, steps); });
     LevelStack stack;
     stack.report = joined(results);
     for (QuiltResult& result : results) stack.levels.push_back(std::move(result.texture));

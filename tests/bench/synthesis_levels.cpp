@@ -67,7 +67,7 @@ void frame(benchmark::State& state, const char* target) {
 void frameMatchTemplate(benchmark::State& state) {
     const QuiltTask task = bench::ballFrame(texture(), 512);
     QuiltReport report;
-    for (auto _ : state) report = bench::quiltWithMatchTemplate(task, frameParams(state));
+    for (auto _ : state) report = bench::quiltWithMatchTemplate(task, frameParams(state)).report();
     state.counters["error"] = report.overlapError;
 }
 

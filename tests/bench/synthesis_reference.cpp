@@ -2,6 +2,7 @@
 
 #include "core/synthesis/block_grid.h"
 #include "core/synthesis/boundary_cut.h"
+#include "core/synthesis/tiling.h"
 
 #include <opencv2/imgproc.hpp>
 #include <tbb/parallel_for.h>
@@ -42,11 +43,19 @@ public:
           m_params(fittedBlock(params, task)),
           m_grid(task.width, task.height, m_params.block, m_params.overlapPixels(), task.wrap),
           m_source(matOf(*task.source)),
-          m_picture(task.width, task.height),
           m_made(task.width, task.height, 0),
-          m_sources(std::size_t(m_grid.count())) {}
+          m_sources(std::size_t(m_grid.count())) {
+        m_result.texture = ColorImage(task.width, task.height);
+        m_result.origin = Image<glm::i16vec2>(task.width, task.height, glm::i16vec2(-1));
+        if (!task.filled) return;
+        for (int y = 0; y < task.height; ++y)
+            for (int x = 0; x < task.width; ++x) {
+                m_made(x, y) = (*task.filledWhere)(x, y);
+                m_result.texture(x, y) = (*task.filled)(x, y);
+            }
+    }
 
-    QuiltReport run() {
+    QuiltResult run() {
         const auto successors = m_grid.successors();
         std::vector<int> waiting(successors.size(), 0);
         for (const auto& later : successors)
@@ -59,75 +68,79 @@ public:
             for (const int other : successors[std::size_t(ready[next])])
                 if (--waiting[std::size_t(other)] == 0) ready.push_back(other);
         }
-        return {ready.size(), m_error / double(m_pixels)};
+        return std::move(m_result);
     }
 
 private:
     void place(const BlockSite& site) {
-        look(site);
-        const glm::ivec2 from = choose(site);
-        m_sources[std::size_t(site.index)] = from;
+        if (!look(site)) return;
+        PlacedBlock placed{site, choose(site), 0, 0};
+        m_sources[std::size_t(site.index)] = placed.source;
         ScalarImage error(site.size.x, site.size.y, 0.0f);
         for (int y = 0; y < site.size.y; ++y)
             for (int x = 0; x < site.size.x; ++x) {
                 if (m_under(x, y) != Under::Texture) continue;
-                const glm::vec3 difference = (*m_task.source)(from.x + x, from.y + y) - at(site, x, y);
+                const glm::vec3 difference = sourceAt(placed, x, y) - at(site, x, y);
                 error(x, y) = glm::dot(difference, difference);
-                m_error += double(error(x, y));
-                ++m_pixels;
+                placed.overlapError += double(error(x, y));
+                ++placed.overlapPixels;
             }
+        m_result.blocks.push_back(placed);
         const auto stays = boundaryCut(m_under, error, m_grid.widestOverlap());
         for (int y = 0; y < site.size.y; ++y)
             for (int x = 0; x < site.size.x; ++x) {
                 if (stays(x, y)) continue;
-                at(site, x, y) = (*m_task.source)(from.x + x, from.y + y);
+                at(site, x, y) = sourceAt(placed, x, y);
                 madeAt(site, x, y) = 1;
             }
     }
 
+    const glm::vec3& sourceAt(const PlacedBlock& placed, int x, int y) const {
+        return (*m_task.source)(placed.source.x + x, placed.source.y + y);
+    }
     glm::ivec2 wrapped(const BlockSite& site, int x, int y) const {
         return {(site.position.x + x) % m_task.width, (site.position.y + y) % m_task.height};
     }
     glm::vec3& at(const BlockSite& site, int x, int y) {
         const glm::ivec2 pixel = wrapped(site, x, y);
-        return m_picture(pixel.x, pixel.y);
+        return m_result.texture(pixel.x, pixel.y);
     }
     std::uint8_t& madeAt(const BlockSite& site, int x, int y) {
         const glm::ivec2 pixel = wrapped(site, x, y);
         return m_made(pixel.x, pixel.y);
     }
 
-    void look(const BlockSite& site) {
+    bool look(const BlockSite& site) {
+        bool missing = false;
         m_under = Image<Under>(site.size.x, site.size.y);
         m_goal = cv::Mat(site.size.y, site.size.x, CV_32FC3);
         for (int y = 0; y < site.size.y; ++y)
             for (int x = 0; x < site.size.x; ++x) {
+                missing |= !madeAt(site, x, y);
                 m_under(x, y) = madeAt(site, x, y) ? Under::Texture : Under::Nothing;
                 const glm::vec3 color = at(site, x, y);
                 m_goal.at<cv::Vec3f>(y, x) = {color.r, color.g, color.b};
             }
+        return missing;
     }
 
-    // The overlap as few rectangles: full rows above and below, columns at the sides between them.
+    // The overlap as few rectangles: runs of a row, as far down as they stay the same.
     std::vector<cv::Rect> rectangles() const {
-        const int width = m_under.width(), height = m_under.height();
         const auto made = [&](int x, int y) { return m_under(x, y) == Under::Texture; };
-        const auto fullRow = [&](int y) {
-            for (int x = 0; x < width; ++x)
-                if (!made(x, y)) return false;
-            return true;
-        };
-        int top = 0, bottom = height, left = 0, right = width;
-        while (top < height && fullRow(top)) ++top;
-        while (bottom > top && fullRow(bottom - 1)) --bottom;
-        if (top == bottom) return {{0, 0, width, height}};
-        while (left < width && made(left, top)) ++left;
-        while (right > left && made(right - 1, top)) --right;
-        std::vector<cv::Rect> found{{0, 0, width, top},
-                                    {0, bottom, width, height - bottom},
-                                    {0, top, left, bottom - top},
-                                    {right, top, width - right, bottom - top}};
-        std::erase_if(found, [](const cv::Rect& r) { return r.empty(); });
+        std::vector<cv::Rect> found;
+        for (int y = 0; y < m_under.height(); ++y)
+            for (int x = 0; x < m_under.width(); ++x) {
+                const int begin = x;
+                while (x < m_under.width() && made(x, y)) ++x;
+                if (x == begin) continue;
+                const auto above = std::ranges::find_if(found, [&](const cv::Rect& r) {
+                    return r.x == begin && r.width == x - begin && r.y + r.height == y;
+                });
+                if (above != found.end())
+                    ++above->height;
+                else
+                    found.emplace_back(begin, y, x - begin, 1);
+            }
         return found;
     }
 
@@ -163,13 +176,11 @@ private:
     QuiltParams m_params;
     BlockGrid m_grid;
     cv::Mat m_source;
-    ColorImage m_picture;
     Image<std::uint8_t> m_made;
     Image<Under> m_under;
     std::vector<glm::ivec2> m_sources;
     cv::Mat m_goal;
-    double m_error = 0;
-    std::size_t m_pixels = 0;
+    QuiltResult m_result;
 };
 
 }  // namespace
@@ -189,15 +200,15 @@ GeneratedPaint generatePaint(int width, int height) {
     return paint;
 }
 
-QuiltReport quiltWithMatchTemplate(const QuiltTask& task, const QuiltParams& params) {
+QuiltResult quiltWithMatchTemplate(const QuiltTask& task, const QuiltParams& params) {
     return MatchTemplateQuilter(task, params).run();
 }
 
 QuiltReport levelsWithMatchTemplate(const GeneratedPaint& paint, const LevelParams& params) {
-    std::vector<QuiltReport> reports(std::size_t(params.count));
+    std::vector<QuiltResult> results(std::size_t(params.count));
     tbb::parallel_for(0, params.count, [&](int i) {
-        const int begin = i * paint.strip.width() / params.count,
-                  end = (i + 1) * paint.strip.width() / params.count;
+        const int begin = i * paint.strip.width() / params.count;
+        const int end = (i + 1) * paint.strip.width() / params.count;
         ColorImage section(end - begin, paint.strip.height());
         for (int y = 0; y < section.height(); ++y)
             for (int x = begin; x < end; ++x)
@@ -205,18 +216,15 @@ QuiltReport levelsWithMatchTemplate(const GeneratedPaint& paint, const LevelPara
         QuiltTask task;
         task.source = &section;
         task.width = task.height = params.size;
-        task.wrap = true;
         task.variety = levelVariety;
         QuiltParams quilt = params.quilt;
         quilt.seed = Random(quilt.seed, std::uint64_t(i)).bits();
-        reports[std::size_t(i)] = quiltWithMatchTemplate(task, quilt);
+        results[std::size_t(i)] = quiltTileable(task, quilt, quiltWithMatchTemplate);
     });
-    QuiltReport all;
-    for (const QuiltReport& report : reports) {
-        all.blocks += report.blocks;
-        all.overlapError += report.overlapError / params.count;
-    }
-    return all;
+    QuiltResult all;
+    for (const QuiltResult& result : results)
+        all.blocks.insert(all.blocks.end(), result.blocks.begin(), result.blocks.end());
+    return all.report();
 }
 
 QuiltTask ballFrame(const ColorImage& texture, int size) {

@@ -13,7 +13,7 @@ GeneratedPaint generatePaint(int width, int height);
 
 /// The same quilting with the search that OpenCV users write: cv::matchTemplate(TM_SQDIFF) in float, one call
 /// a rectangle of the overlap. The baseline that speed and overlap error are compared with. One thread.
-synthesis::QuiltReport quiltWithMatchTemplate(const synthesis::QuiltTask& task,
+synthesis::QuiltResult quiltWithMatchTemplate(const synthesis::QuiltTask& task,
                                               const synthesis::QuiltParams& params);
 
 /// Level stack of the baseline, levels in parallel, with gradient base and seam tiling.
