@@ -88,22 +88,22 @@ TEST(Levels, AreAsManyAndAsLargeAsAsked) {
 }
 
 TEST(Levels, TileWithoutASeam) {
-    const Paint paint = paintOf(400, 80);
-    double cut = 0, mixed = 0;
-    for (const ColorImage& level :
-         makeLevels(paint.strip, paint.gradient, levelsOf(4, 192, Tiling::Seam)).levels)
-        cut += seamContrast(level) / 4;
-    for (const ColorImage& level :
-         makeLevels(paint.strip, paint.gradient, levelsOf(4, 192, Tiling::Mask)).levels)
-        mixed += seamContrast(level) / 4;
-    EXPECT_LT(cut, 1.3);
-    EXPECT_LT(mixed, 1.8);  // the mask softens the inside more than the border
+    const ColorImage strip = sample::makeStrip(sample::readScan(test::resource("demo/samples/oil.png")));
+    const gradient::Separation separation = gradient::separate(strip);
+    const auto contrast = [&](Tiling tiling) {
+        double sum = 0;
+        for (const ColorImage& level :
+             makeLevels(strip, separation.gradient, levelsOf(4, 256, tiling)).levels)
+            sum += seamContrast(level) / 4;
+        return sum;
+    };
+    EXPECT_LT(contrast(Tiling::Seam), 1.2);
+    EXPECT_LT(contrast(Tiling::Mask), 1.6);  // the mask softens the inside more than the border
     // The measure does tell: a quilt that doesn't wrap shows its border.
-    const ColorImage source = test::waves(80, 80, 2);
     QuiltTask task;
-    task.source = &source;
-    task.width = task.height = 192;
-    EXPECT_GT(seamContrast(quilt(task, {}).texture), 3);
+    task.source = &separation.texture;
+    task.width = task.height = 256;
+    EXPECT_GT(seamContrast(quilt(task, {}).texture), 2);
 }
 
 TEST(Levels, SeamTilingDoesNotBlur) {
