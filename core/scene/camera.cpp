@@ -52,7 +52,7 @@ glm::mat4 Camera::projection(int width, int height) const {
 Camera Camera::framed(const Bounds& bounds) const {
     Camera camera = *this;
     camera.target = bounds.center();
-    camera.radius = bounds.radius() > 0 ? bounds.radius() : 1;
+    camera.radius = bounds.radius > 0 ? bounds.radius : 1;
     return camera;
 }
 

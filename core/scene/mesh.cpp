@@ -22,16 +22,31 @@ std::uint64_t hashOf(glm::vec3 point) {
 
 }  // namespace
 
-Bounds boundsOf(const Mesh& mesh) {
-    Bounds bounds;
-    if (mesh.triangles.empty()) return bounds;
-    bounds.minimum = bounds.maximum = mesh.positions[mesh.triangles[0][0]];
+void BoundsBuilder::addPoint(glm::vec3 point) {
+    m_bounds.minimum = m_points.empty() ? point : glm::min(m_bounds.minimum, point);
+    m_bounds.maximum = m_points.empty() ? point : glm::max(m_bounds.maximum, point);
+    m_points.push_back(point);
+}
+
+void BoundsBuilder::addMesh(const Mesh& mesh, const glm::mat4& transform) {
+    std::vector<bool> used(mesh.positions.size());
     for (const Triangle& triangle : mesh.triangles)
-        for (const std::uint32_t vertex : triangle) {
-            bounds.minimum = glm::min(bounds.minimum, mesh.positions[vertex]);
-            bounds.maximum = glm::max(bounds.maximum, mesh.positions[vertex]);
-        }
+        for (const std::uint32_t vertex : triangle) used[vertex] = true;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i]) addPoint(glm::vec3(transform * glm::vec4(mesh.positions[i], 1)));
+}
+
+Bounds BoundsBuilder::bounds() const {
+    Bounds bounds = m_bounds;
+    for (const glm::vec3& point : m_points)
+        bounds.radius = std::max(bounds.radius, glm::distance(point, bounds.center()));
     return bounds;
+}
+
+Bounds boundsOf(const Mesh& mesh) {
+    BoundsBuilder builder;
+    builder.addMesh(mesh, glm::mat4(1));
+    return builder.bounds();
 }
 
 std::vector<std::uint32_t> weldedIndices(const Mesh& mesh) {

@@ -24,8 +24,22 @@ struct Mesh {
 struct Bounds {
     glm::vec3 minimum{0};
     glm::vec3 maximum{0};
+    float radius = 0;  ///< of the smallest sphere around center() that holds every vertex
     glm::vec3 center() const { return minimum * 0.5f + maximum * 0.5f; }
-    float radius() const { return glm::length(maximum - minimum) * 0.5f; }
+};
+
+/// Gathers the bounds of several meshes at their places.
+class BoundsBuilder {
+public:
+    /// Adds the vertices that triangles use.
+    void addMesh(const Mesh& mesh, const glm::mat4& transform);
+    /// Zero bounds when nothing was added.
+    Bounds bounds() const;
+
+private:
+    void addPoint(glm::vec3 point);
+    Bounds m_bounds;
+    std::vector<glm::vec3> m_points;
 };
 
 /// Bounds of the vertices that triangles use. Throws nothing; an empty mesh has zero bounds.

@@ -78,7 +78,7 @@ void attach(RayScene::Impl& rays, const Object& object, unsigned id) {
 RayScene::Impl::Impl(const Scene& source, const Task& task) {
     const Bounds bounds = boundsOf(source);
     center = glm::dvec3(bounds.center());
-    if (bounds.radius() > 0 && std::isfinite(bounds.radius())) unit = double(bounds.radius());
+    if (bounds.radius > 0 && std::isfinite(bounds.radius)) unit = double(bounds.radius);
     device = rtcNewDevice(nullptr);
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);  // no ray slips through an edge between two faces

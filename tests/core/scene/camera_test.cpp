@@ -51,6 +51,7 @@ TEST(Camera, FramedSphereTouchesTheSmallerSide) {
     Bounds bounds;
     bounds.minimum = {3, 4, 5};
     bounds.maximum = {5, 6, 7};
+    bounds.radius = std::sqrt(3.0f);
     Camera camera;
     camera.azimuth = 0;
     camera.elevation = 0;
@@ -111,7 +112,7 @@ TEST(SceneBounds, FollowTransformsAndLeaveOutWhatIsHidden) {
     EXPECT_FLOAT_EQ(boundsOf(scene).minimum.x, -1);
     scene.objects[0].visible = false;
     EXPECT_FLOAT_EQ(boundsOf(scene).maximum.x, 1);
-    EXPECT_FLOAT_EQ(boundsOf(Scene{}).radius(), 0);
+    EXPECT_FLOAT_EQ(boundsOf(Scene{}).radius, 0);
 }
 
 }  // namespace

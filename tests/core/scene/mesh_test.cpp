@@ -32,7 +32,7 @@ TEST(Mesh, BoundsCountOnlyVerticesThatFacesUse) {
     Mesh mesh = test::quad();
     mesh.positions.push_back({100, 100, 100});
     EXPECT_EQ(boundsOf(mesh).maximum, glm::vec3(1, 1, 0));
-    EXPECT_FLOAT_EQ(boundsOf(mesh).radius(), std::sqrt(2.0f));
+    EXPECT_FLOAT_EQ(boundsOf(mesh).radius, std::sqrt(2.0f));
     EXPECT_EQ(boundsOf(Mesh{}).maximum, glm::vec3(0));
 }
 
