@@ -18,6 +18,13 @@ struct Seconds {
     double total() const { return load + guide + synthesis + shade; }
 };
 
+/// Depth as files hold it: -1 outside, as in light pictures, since many programs refuse infinities.
+ScalarImage finiteDepth(ScalarImage depth) {
+    for (float& value : depth.pixels())
+        if (std::isinf(value)) value = -1;
+    return depth;
+}
+
 struct RenderCommand {
     ProjectSource source;
     std::filesystem::path output;
@@ -86,7 +93,7 @@ struct RenderCommand {
                         const ImageMetadata& metadata) const {
         writeImage(auxiliary / "light.exr", gbuffer.light, metadata);
         writeImage(auxiliary / "id.png", gbuffer.objectId, metadata);
-        writeImage(auxiliary / "depth.exr", gbuffer.depth, metadata);
+        writeImage(auxiliary / "depth.exr", finiteDepth(gbuffer.depth), metadata);
         writeImage(auxiliary / "normal.exr", gbuffer.normal, metadata);
         writeImage(auxiliary / "texture.exr", frame.texture, metadata);
     }
@@ -130,9 +137,9 @@ void addRenderCommand(CLI::App& root, Session& session) {
         ->required();
     command->add_option("--size", state->size, "WIDTHxHEIGHT, each 1..16384 px (default 1024x1024)");
     command->add_option("--background", state->background, "#rrggbb or transparent (default #ffffff)");
-    command->add_option(
-        "--aux", state->auxiliary,
-        "Folder for light.exr, id.png, depth.exr, normal.exr and texture.exr of this picture");
+    command->add_option("--aux", state->auxiliary,
+                        "Folder for light.exr, id.png, depth.exr, normal.exr and texture.exr of this "
+                        "picture; light and depth are -1 outside the objects");
     session.addCommonFlags(*command);
     command->callback([state, &session] { state->run(session); });
 }

@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Demo, ViewAlignedRender,
                                          Render{"still_life_pastel", "still_life.obj", "pastel.png"},
                                          Render{"shell_watercolour", "shell.ply", "watercolour.png"},
                                          Render{"shell_impasto", "shell.ply", "impasto.png"}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& render) { return std::string(render.param.name); });
 
 }  // namespace
 }  // namespace chiaro::test
