@@ -1,10 +1,7 @@
 #pragma once
 
-#include "core/gradient/gradient.h"
-#include "core/methods/view_aligned.h"
-#include "core/scene/camera.h"
-#include "core/scene/scene.h"
-#include "core/synthesis/levels.h"
+#include "widgets/viewport/navigation.h"
+#include "widgets/viewport/view_state.h"
 
 #include <QImage>
 #include <QWidget>
@@ -13,12 +10,6 @@
 #include <vector>
 
 namespace chiaro::widgets {
-
-/// What one paint sample gives the viewport. Shared immutable snapshots.
-struct ViewportPaint {
-    std::shared_ptr<const synthesis::LevelStack> levels;  ///< null: G(L) alone is shown
-    gradient::Gradient gradient;                          ///< empty: a plain grey
-};
 
 /// The scene, live (§4.2): turned, panned, zoomed and lit with the mouse. A frame that holds the OpenGL view,
 /// or the CPU renderer's pictures where there is no OpenGL. It knows core's types, never the document.
@@ -49,7 +40,7 @@ public:
     void setParams(const methods::ViewAlignedParams& params);
 
     /// Which mouse gestures turn, pan and zoom; see navigation.h. A plain left drag turns in all of them.
-    enum class Navigation { Blender, Maya, Trackpad };
+    using Navigation = widgets::Navigation;
     void setNavigation(Navigation navigation);
     /// Display-referred RGB in [0, 1].
     void setBackground(glm::vec3 color);

@@ -1,0 +1,18 @@
+#version 410 core
+
+#include "common/light.glsl"
+
+centroid in vec3 worldNormal;
+
+uniform vec2 objectId;  // low and high byte, each 0..255; 0 0 is nothing
+
+// Light in 16 bits and the object's id in 16 bits: what common/gbuffer_samples.glsl reads.
+out vec4 surface;
+
+void main() {
+    // Back sides are lit with the flipped normal.
+    vec3 normal = normalize(gl_FrontFacing ? worldNormal : -worldNormal);
+    float light = floor(lightValue(normal) * 65535.0 + 0.5);
+    float high = floor(light / 256.0);
+    surface = vec4(high, light - 256.0 * high, objectId) / 255.0;
+}

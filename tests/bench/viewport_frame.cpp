@@ -1,0 +1,215 @@
+// Frame time of the viewport's drawer against the same mesh under one plain 2D texture: same context, 1280 x
+// 720 with as many samples a pixel, resolved; frames interleaved, the smallest time of each. Prints the
+// ratios. A mesh file may be given.
+
+#include "core/base/random.h"
+#include "core/scene/mesh_io.h"
+#include "tests/support/support.h"
+#include "widgets/viewport/view_aligned_drawer.h"
+
+#include <QGuiApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLShaderProgram>
+#include <QOpenGLVersionFunctionsFactory>
+
+#include <cstdio>
+#include <time.h>
+
+namespace chiaro::widgets {
+
+namespace {
+
+const QSize frameSize(1280, 720);
+constexpr int rounds = 40;
+
+/// The mesh under a 2D texture of the size of a level, laid over its x and y.
+class PlainDrawer {
+public:
+    bool initialize(Gl& gl, const synthesis::LevelStack& levels) {
+        static const char* vertex = R"(#version 410 core
+            layout(location = 0) in vec3 position;
+            uniform mat4 objectToClip;
+            uniform float scale;
+            out vec2 coordinate;
+            void main() {
+                coordinate = position.xy * scale;
+                gl_Position = objectToClip * vec4(position, 1.0);
+            })";
+        static const char* fragment = R"(#version 410 core
+            in vec2 coordinate;
+            uniform sampler2D paint;
+            out vec4 color;
+            void main() { color = vec4(texture(paint, coordinate).rgb, 1.0); })";
+        const ColorImage& level = levels.levels.front();
+        std::vector<std::uint8_t> texels;
+        for (const glm::vec3& difference : level.pixels())
+            for (int i = 0; i < 4; ++i) texels.push_back(std::uint8_t(128 + 100 * difference[i % 3]));
+        gl.glGenTextures(1, &m_texture);
+        gl.glBindTexture(GL_TEXTURE_2D, m_texture);
+        gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, level.width(), level.height(), 0, GL_RGBA,
+                        GL_UNSIGNED_BYTE, texels.data());
+        gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        return m_program.addShaderFromSourceCode(QOpenGLShader::Vertex, vertex) &&
+               m_program.addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) && m_program.link();
+    }
+
+    void draw(Gl& gl, const ViewState& state) {
+        m_meshes.sync(gl, state.scene());
+        gl.glViewport(0, 0, frameSize.width(), frameSize.height());
+        gl.glClearColor(state.background.r, state.background.g, state.background.b, 1);
+        gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        gl.glEnable(GL_DEPTH_TEST);
+        m_program.bind();
+        gl.glActiveTexture(GL_TEXTURE0);
+        gl.glBindTexture(GL_TEXTURE_2D, m_texture);
+        m_program.setUniformValue("paint", 0);
+        m_program.setUniformValue("scale", 1 / state.camera.radius);
+        const glm::mat4 worldToClip =
+            state.camera.projection(frameSize.width(), frameSize.height()) * state.camera.view();
+        for (const scene::Object& object : state.scene().objects) {
+            const glm::mat4 objectToClip = worldToClip * object.transform;
+            m_program.setUniformValue("objectToClip", QMatrix4x4(&objectToClip[0][0]).transposed());
+            const GlMeshes::Buffers& buffers = m_meshes.find(object.mesh);
+            gl.glBindVertexArray(buffers.vertexArray);
+            gl.glDrawElements(GL_TRIANGLES, buffers.indexCount, GL_UNSIGNED_INT, nullptr);
+        }
+        m_program.release();
+    }
+
+private:
+    QOpenGLShaderProgram m_program;
+    GLuint m_texture = 0;
+    GlMeshes m_meshes;
+};
+
+std::shared_ptr<const synthesis::LevelStack> noiseLevels() {
+    auto stack = std::make_shared<synthesis::LevelStack>();
+    for (int level = 0; level < 8; ++level) {
+        Random random(1, std::uint64_t(level));
+        ColorImage image(512, 512);
+        for (glm::vec3& difference : image.pixels()) difference = glm::vec3(float(random.uniform()) - 0.5f);
+        stack->levels.push_back(std::move(image));
+    }
+    return stack;
+}
+
+ViewState makeState(const std::filesystem::path& file) {
+    scene::Scene scene;
+    for (scene::Mesh& mesh : scene::readModel(file).meshes)
+        scene.objects.push_back(
+            {.name = mesh.name, .mesh = std::make_shared<const scene::Mesh>(std::move(mesh))});
+    ViewState state;
+    state.setScene(scene);
+    state.setPaint(0, {noiseLevels(), {glm::vec3(0.1f), glm::vec3(0.5f, 0.3f, 0.2f), glm::vec3(1)}});
+    state.camera = state.camera.framed(scene::boundsOf(scene));
+    state.camera.distance = 0.8f;
+    return state;
+}
+
+/// Of one frame; the processor's time is what a software renderer is measured by on a busy machine.
+struct FrameTime {
+    double wall = std::numeric_limits<double>::infinity();  ///< ms
+    double processor = wall;                                ///< ms, all threads
+};
+
+double milliseconds(clockid_t clock) {
+    timespec now{};
+    clock_gettime(clock, &now);
+    return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
+}
+
+/// Draws a frame and lowers `best` to its times.
+void measureFrame(Gl& gl, FrameTime& best, const std::function<void()>& frame) {
+    const double wall = milliseconds(CLOCK_MONOTONIC);
+    const double processor = milliseconds(CLOCK_PROCESS_CPUTIME_ID);
+    frame();
+    gl.glFinish();
+    best.wall = std::min(best.wall, milliseconds(CLOCK_MONOTONIC) - wall);
+    best.processor = std::min(best.processor, milliseconds(CLOCK_PROCESS_CPUTIME_ID) - processor);
+}
+
+struct Bench {
+    Gl& gl;
+    PlainDrawer plain;
+    ViewAlignedDrawer painted;
+    ViewState state;
+    std::unique_ptr<QOpenGLFramebufferObject> multisampled;
+    std::unique_ptr<QOpenGLFramebufferObject> target;
+
+    void drawPlain() {
+        multisampled->bind();
+        plain.draw(gl, state);
+        QOpenGLFramebufferObject::blitFramebuffer(target.get(), multisampled.get());
+    }
+
+    void drawPainted() {
+        state.follow(frameSize);
+        painted.draw(gl, state, frameSize, target->handle());
+    }
+
+    /// While the camera orbits, after it was moved closer by `zoom`.
+    void measure(float zoom, const char* what) {
+        state.follow(frameSize);
+        state.camera.distance /= zoom;
+        FrameTime plainBest;
+        FrameTime paintedBest;
+        for (int round = 0; round < rounds; ++round) {
+            state.camera.azimuth += 0.5f;
+            measureFrame(gl, plainBest, [this] { drawPlain(); });
+            measureFrame(gl, paintedBest, [this] { drawPainted(); });
+        }
+        std::printf("%-28s plain %6.2f ms, view-aligned %6.2f ms, ratio %.2f; processor time %.2f\n", what,
+                    plainBest.wall, paintedBest.wall, paintedBest.wall / plainBest.wall,
+                    paintedBest.processor / plainBest.processor);
+        state.camera.azimuth -= 0.5f * rounds;
+        state.camera.distance *= zoom;
+        state.follow(frameSize);
+    }
+};
+
+int run(const std::filesystem::path& file) {
+    QOpenGLContext context;
+    context.setFormat(openGlFormat());
+    QOffscreenSurface surface;
+    surface.setFormat(context.format());
+    surface.create();
+    if (!openGlSupport().usable || !context.create() || !context.makeCurrent(&surface)) {
+        std::puts("no OpenGL 4.1 here");
+        return 0;
+    }
+    Gl& gl = *QOpenGLVersionFunctionsFactory::get<Gl>(&context);
+    QOpenGLFramebufferObjectFormat format;
+    format.setSamples(openGlSupport().samples);
+    format.setAttachment(QOpenGLFramebufferObject::Depth);
+    Bench bench{gl,
+                {},
+                {},
+                makeState(file),
+                std::make_unique<QOpenGLFramebufferObject>(frameSize, format),
+                std::make_unique<QOpenGLFramebufferObject>(frameSize)};
+    if (!bench.plain.initialize(gl, *bench.state.paint(0).levels) || !bench.painted.initialize(gl)) return 1;
+    std::size_t faces = 0;
+    for (const scene::Object& object : bench.state.scene().objects) faces += object.mesh->triangles.size();
+    std::printf("%s, %d samples a pixel, %zu triangles, 1280 x 720\n",
+                reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER)), openGlSupport().samples, faces);
+    bench.measure(1, "as first seen");
+    bench.measure(1.4f, "zoomed, two octaves");
+    bench.state.params.followZoom = false;
+    bench.measure(1, "without following the zoom");
+    bench.state.params.density = 1.5;
+    bench.measure(1, "density 1.5");
+    bench.painted.release(gl);
+    return 0;
+}
+
+}  // namespace
+
+}  // namespace chiaro::widgets
+
+int main(int argc, char** argv) {
+    QGuiApplication app(argc, argv);
+    return chiaro::widgets::run(argc > 1 ? std::filesystem::path(argv[1])
+                                         : chiaro::test::resource("demo/meshes/skull.glb"));
+}

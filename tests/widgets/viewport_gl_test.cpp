@@ -1,0 +1,432 @@
+#include "core/scene/mesh_io.h"
+#include "tests/support/support.h"
+#include "tests/widgets/viewport_support.h"
+#include "widgets/viewport/gl_support.h"
+#include "widgets/viewport/gl_view.h"
+#include "widgets/viewport/level_texels.h"
+
+#include <QtTest>
+
+namespace chiaro::widgets {
+
+namespace {
+
+constexpr glm::vec3 background(0.1f, 0.2f, 0.3f);
+
+}  // namespace
+
+/// The viewport drawn by OpenGL; everything is skipped, saying so, where there is none.
+class ViewportGlTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void texelsKeepTheDifferences();
+    void drawsWhatTheCpuDraws_data();
+    void drawsWhatTheCpuDraws();
+    void drawsTheDemoMeshesAsTheCpuDoes_data();
+    void drawsTheDemoMeshesAsTheCpuDoes();
+    void silhouettesAreSmooth();
+    void gradientChangesWithoutTheTexture();
+    void withoutLevelsTheGradientAloneShows();
+    void orbitDragTurnsTheCamera();
+    void panDragMovesObjectAndTexture();
+    void resizingKeepsTheStrokes();
+    void wheelZooms();
+    void shiftRightDragTurnsTheLight();
+    void lightSphereTurnsTheLight();
+    void keysFrame();
+    void anotherContextGivesTheSamePicture();
+    void sameObjectKeepsItsPlacement();
+    void tellsFramesAndDrops();
+
+private:
+    void show(const scene::Scene& scene);
+    double differenceFromCpu(const scene::Scene& scene);
+    QPoint centre() const { return m_viewport->rect().center(); }
+    void drag(QPoint from, QPoint by, Qt::MouseButton button, Qt::KeyboardModifiers modifiers = {});
+
+    std::unique_ptr<Viewport> m_viewport;
+    std::vector<ViewportPaint> m_paints;
+    methods::ViewAlignedParams m_params;
+};
+
+void ViewportGlTest::initTestCase() {
+    if (!openGlSupport().usable) QSKIP("no OpenGL 4.1 here");
+    QVERIFY(openGlSupport().samples >= 4);
+    m_paints = {{test::generatedLevels(), test::generatedGradient()},
+                {test::generatedLevels(3, 96), {{0.3f, 0, 0}, {1, 0.9f, 0.2f}}}};
+}
+
+void ViewportGlTest::init() {
+    m_params = {};
+    m_viewport = std::make_unique<Viewport>();
+    m_viewport->resize(480, 360);
+    m_viewport->setBackground(background);
+    for (std::size_t i = 0; i < m_paints.size(); ++i) m_viewport->setPaint(int(i), m_paints[i]);
+}
+
+void ViewportGlTest::cleanup() {
+    m_viewport.reset();
+}
+
+void ViewportGlTest::show(const scene::Scene& scene) {
+    m_viewport->setScene(scene);
+    m_viewport->setParams(m_params);
+    m_viewport->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_viewport.get()));
+    QVERIFY(m_viewport->usesOpenGl());
+}
+
+double ViewportGlTest::differenceFromCpu(const scene::Scene& scene) {
+    const QImage drawn = m_viewport->picture();
+    const test::Reference reference = test::referencePicture(
+        scene, m_viewport->camera(), m_paints, m_viewport->placements(), m_params, background, drawn.size());
+    const QString name = QString("%1_%2").arg(QTest::currentTestFunction(), QTest::currentDataTag());
+    test::keepPicture(drawn, name + "_gl");
+    test::keepPicture(reference.picture, name + "_cpu");
+    const double inside = test::meanDifference(drawn, reference.picture,
+                                               [&](int x, int y) { return reference.inside(x, y) != 0; });
+    qInfo("difference from the CPU's picture: %.3f/255 inside the objects, %.3f/255 over all", inside,
+          test::meanDifference(drawn, reference.picture));
+    return inside;
+}
+
+void ViewportGlTest::drag(QPoint from, QPoint by, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
+    QTest::mousePress(m_viewport.get(), button, modifiers, from);
+    // QTest::mouseMove tells no buttons, so the moves are made here.
+    for (int step = 1; step <= 4; ++step) {
+        const QPointF at = QPointF(from) + QPointF(by) * step / 4;
+        QMouseEvent move(QEvent::MouseMove, at, m_viewport->mapToGlobal(at), Qt::NoButton, button, modifiers);
+        QApplication::sendEvent(m_viewport.get(), &move);
+    }
+    QTest::mouseRelease(m_viewport.get(), button, modifiers, from + by);
+}
+
+void ViewportGlTest::texelsKeepTheDifferences() {
+    synthesis::LevelStack stack;
+    stack.levels.assign(2, ColorImage(2, 2, glm::vec3(0)));
+    stack.levels[1](1, 0) = {0.5f, -0.5f, 0.1f};
+    const LevelTexels texels = levelTexels(stack);
+    QCOMPARE(texels.size, 2);
+    QCOMPARE(texels.count, 2);
+    const auto difference = [&](std::size_t texel, std::size_t channel) {
+        return float(texels.texels[texel][channel]) / 255 * texels.factor + texels.bias;
+    };
+    QVERIFY(std::abs(difference(0, 0)) < 1e-6f);  // no difference stays none
+    QVERIFY(std::abs(difference(5, 0) - 0.5f) < 1e-6f);
+    QVERIFY(std::abs(difference(5, 1) + 0.5f) < 1e-6f);
+    QVERIFY(std::abs(difference(5, 2) - 0.1f) <= 0.5f / 127 / 2 + 1e-6f);
+}
+
+void ViewportGlTest::drawsWhatTheCpuDraws_data() {
+    QTest::addColumn<QString>("mesh");
+    QTest::addColumn<double>("density");
+    QTest::addColumn<float>("distance");
+    QTest::addColumn<float>("azimuth");
+    QTest::newRow("sphere") << "sphere" << 1.0 << 1.2f << 30.0f;
+    QTest::newRow("coarse strokes") << "sphere" << 0.37 << 1.2f << -100.0f;
+    QTest::newRow("fine strokes") << "sphere" << 1.7 << 1.2f << 200.0f;
+    QTest::newRow("finest strokes") << "sphere" << 5.0 << 1.2f << 0.0f;
+    QTest::newRow("close by") << "sphere" << 1.0 << 0.45f << 0.0f;
+    QTest::newRow("square") << "square" << 1.0 << 1.1f << 20.0f;
+    QTest::newRow("square from behind") << "square" << 1.0 << 1.1f << 160.0f;
+    QTest::newRow("mirrored") << "mirrored" << 1.0 << 1.1f << 20.0f;
+    QTest::newRow("two paints") << "two" << 1.0 << 1.0f << 30.0f;
+}
+
+void ViewportGlTest::drawsWhatTheCpuDraws() {
+    QFETCH(QString, mesh);
+    QFETCH(double, density);
+    QFETCH(float, distance);
+    QFETCH(float, azimuth);
+    const bool flat = mesh == "square" || mesh == "mirrored";
+    scene::Scene scene = test::sceneOf(flat ? test::squareMesh() : test::sphereMesh());
+    if (mesh == "mirrored") scene.objects[0].transform[2][2] = -1;
+    if (mesh == "two") {
+        scene.objects.push_back(scene.objects[0]);
+        scene.objects[1].name = "second";
+        scene.objects[1].sample = 1;
+        scene.objects[1].transform[3] = {0.7f, 0.5f, 0.8f, 1};
+        scene.lights = {{.vector = {1, 0, 0.3f}, .intensity = 0.6f},
+                        {.vector = {-1, 2, 1}, .intensity = 0.8f, .wrap = false}};
+    }
+    m_params.density = density;
+    scene::Camera camera;
+    camera.azimuth = azimuth;
+    camera.distance = 1.2f;
+    m_viewport->setCamera(camera);
+    show(scene);
+    m_viewport->picture();
+    // A move after the objects were seen once, so that offset and zoom are not what they began with.
+    camera.distance = distance;
+    camera.azimuth += 3;
+    m_viewport->setCamera(camera);
+    QVERIFY(differenceFromCpu(scene) < 2);
+}
+
+void ViewportGlTest::drawsTheDemoMeshesAsTheCpuDoes_data() {
+    QTest::addColumn<QString>("file");
+    QTest::newRow("shell") << "shell.ply";
+    QTest::newRow("still life") << "still_life.obj";
+    QTest::newRow("skull") << "skull.glb";
+}
+
+void ViewportGlTest::drawsTheDemoMeshesAsTheCpuDoes() {
+    QFETCH(QString, file);
+    scene::Scene scene;
+    for (scene::Mesh& mesh : scene::readModel(test::resource("demo/meshes/" + file.toStdString())).meshes) {
+        const std::string name = mesh.name;
+        scene.objects.push_back(test::sceneOf(std::move(mesh), name).objects[0]);
+    }
+    m_viewport->resize(640, 480);
+    show(scene);
+    m_viewport->frameAll();
+    QVERIFY(differenceFromCpu(scene) < 2);
+}
+
+void ViewportGlTest::silhouettesAreSmooth() {
+    const scene::Scene scene = test::sceneOf(test::squareMesh());
+    scene::Camera camera;
+    camera.azimuth = 0;
+    camera.elevation = 30;
+    camera.distance = 1.5f;
+    m_viewport->setPaint(0, {nullptr, {glm::vec3(1), glm::vec3(1)}});
+    m_viewport->setBackground(glm::vec3(0));
+    m_viewport->setCamera(camera);
+    show(scene);
+    const QImage drawn = m_viewport->picture();
+    std::set<int> values;
+    for (int y = 0; y < drawn.height(); ++y)
+        for (int x = 0; x < drawn.width(); ++x) values.insert(qRed(drawn.pixel(x, y)));
+    // Black, white, and what lies between where an edge crosses a pixel.
+    QVERIFY(values.contains(0));
+    QVERIFY(values.contains(255));
+    QVERIFY2(values.size() >= 5, qPrintable(QString::number(values.size())));
+}
+
+void ViewportGlTest::gradientChangesWithoutTheTexture() {
+    const scene::Scene scene = test::sceneOf(test::sphereMesh());
+    show(scene);
+    const QImage before = m_viewport->picture();
+    const gradient::Gradient recolored{{0.2f, 0, 0.2f}, {0.2f, 0.9f, 0.4f}, {1, 1, 0.8f}};
+    m_viewport->setGradient(0, recolored);
+    QVERIFY(test::meanDifference(before, m_viewport->picture()) > 5);
+    const ViewportPaint kept = std::exchange(m_paints[0], {m_paints[0].levels, recolored});
+    const double difference = differenceFromCpu(scene);
+    m_paints[0] = kept;
+    QVERIFY(difference < 2);
+    m_viewport->setGradient(0, kept.gradient);
+    QCOMPARE(m_viewport->picture(), before);
+}
+
+void ViewportGlTest::withoutLevelsTheGradientAloneShows() {
+    scene::Scene scene = test::sceneOf(test::squareMesh());
+    scene.lights = {{.vector = {0, 0, 1}}};  // L = 1 all over the square
+    m_viewport->setPaint(0, {nullptr, {{0, 0, 0}, {1, 0.5f, 0.25f}}});
+    scene::Camera camera;
+    camera.azimuth = 0;
+    camera.elevation = 0;
+    m_viewport->setCamera(camera);
+    show(scene);
+    const QImage drawn = m_viewport->picture();
+    const QRgb pixel = drawn.pixel(drawn.rect().center());
+    QCOMPARE(qRed(pixel), 255);
+    QVERIFY(std::abs(qGreen(pixel) - 128) <= 1);
+    QVERIFY(std::abs(qBlue(pixel) - 64) <= 1);
+}
+
+void ViewportGlTest::orbitDragTurnsTheCamera() {
+    show(test::sceneOf(test::sphereMesh()));
+    for (const Qt::MouseButton button : {Qt::LeftButton, Qt::MiddleButton}) {
+        const scene::Camera before = m_viewport->camera();
+        const QImage picture = m_viewport->picture();
+        QSignalSpy edited(m_viewport.get(), &Viewport::cameraEdited);
+        drag(centre(), {40, 20}, button);
+        QCOMPARE(edited.count(), 4);
+        QCOMPARE(edited.last().at(0).value<scene::Camera>(), m_viewport->camera());
+        QVERIFY(std::abs(m_viewport->camera().azimuth - (before.azimuth - 16)) < 1e-3f);
+        QVERIFY(std::abs(m_viewport->camera().elevation - (before.elevation + 8)) < 1e-3f);
+        QVERIFY(test::meanDifference(picture, m_viewport->picture()) > 1);
+    }
+    const scene::Camera before = m_viewport->camera();
+    drag(centre(), {40, 20}, Qt::RightButton);
+    QCOMPARE(m_viewport->camera(), before);
+}
+
+void ViewportGlTest::panDragMovesObjectAndTexture() {
+    show(test::sceneOf(test::sphereMesh()));
+    m_viewport->picture();
+    const double ratio = m_viewport->devicePixelRatioF();
+    QCOMPARE(m_viewport->placements().at(0), methods::TexturePlacement{});
+    drag(centre(), {32, -20}, Qt::MiddleButton, Qt::ShiftModifier);
+    m_viewport->picture();
+    const methods::TexturePlacement moved = m_viewport->placements().at(0);
+    // The vertices that face the camera lie nearer than the target's plane, so they move a little further.
+    QVERIFY2(moved.offset.x > 32 * ratio && moved.offset.x < 48 * ratio,
+             qPrintable(QString::number(moved.offset.x)));
+    QVERIFY(moved.offset.y < -20 * ratio && moved.offset.y > -30 * ratio);
+    QVERIFY(std::abs(moved.zoom - 1) < 0.02f);
+}
+
+void ViewportGlTest::resizingKeepsTheStrokes() {
+    show(test::sceneOf(test::sphereMesh()));
+    m_viewport->picture();
+    m_viewport->resize(700, 520);
+    QCoreApplication::processEvents();
+    m_viewport->picture();
+    QCOMPARE(m_viewport->placements().at(0).zoom, 1.0f);
+    QVERIFY(m_viewport->placements().at(0).offset != glm::vec2(0));
+}
+
+void ViewportGlTest::wheelZooms() {
+    show(test::sceneOf(test::sphereMesh()));
+    m_viewport->picture();
+    const auto turn = [this](int eighths, Qt::KeyboardModifiers modifiers = {}) {
+        const QPointF at = centre();
+        QWheelEvent wheel(at, m_viewport->mapToGlobal(at), {}, {0, eighths}, Qt::NoButton, modifiers,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(m_viewport.get(), &wheel);
+    };
+    const scene::Camera start = m_viewport->camera();
+    turn(120);
+    const float afterNotch = m_viewport->camera().distance;
+    QVERIFY(afterNotch < start.distance);
+    m_viewport->picture();
+    QVERIFY(m_viewport->placements().at(0).zoom > 1.05f);
+    m_viewport->setCamera(start);
+    for (int i = 0; i < 8; ++i) turn(15);
+    QVERIFY(std::abs(m_viewport->camera().distance - afterNotch) < 1e-4f);
+
+    m_viewport->setNavigation(Viewport::Navigation::Trackpad);
+    const scene::Camera before = m_viewport->camera();
+    turn(120);
+    QCOMPARE(m_viewport->camera().distance, before.distance);
+    QVERIFY(m_viewport->camera().elevation != before.elevation);
+    turn(120, Qt::ControlModifier);
+    QVERIFY(m_viewport->camera().distance < before.distance);
+}
+
+void ViewportGlTest::shiftRightDragTurnsTheLight() {
+    show(test::sceneOf(test::sphereMesh()));
+    const QImage before = m_viewport->picture();
+    const scene::Camera camera = m_viewport->camera();
+    QSignalSpy edited(m_viewport.get(), &Viewport::lightEdited);
+    QSignalSpy finished(m_viewport.get(), &Viewport::lightEditFinished);
+    drag(centre(), {100, 0}, Qt::RightButton, Qt::ShiftModifier);
+    QCOMPARE(edited.count(), 4);
+    QCOMPARE(edited.last().at(0).toInt(), 0);
+    const auto vector = edited.last().at(1).value<glm::vec3>();
+    const glm::vec3 start = scene::Light{}.vector;
+    QVERIFY(std::abs(glm::length(vector) - glm::length(start)) < 1e-4f);
+    // The lit side went right.
+    QVERIFY(glm::dot(vector, camera.basis()[0]) > glm::dot(start, camera.basis()[0]));
+    QCOMPARE(finished.count(), 1);
+    QCOMPARE(m_viewport->camera(), camera);
+    QVERIFY(test::meanDifference(before, m_viewport->picture()) > 1);
+}
+
+void ViewportGlTest::lightSphereTurnsTheLight() {
+    show(test::sceneOf(test::sphereMesh()));
+    QWidget* sphere = nullptr;
+    for (QWidget* child : m_viewport->findChildren<QWidget*>())
+        if (child->accessibleName() == "Light") sphere = child;
+    QVERIFY(sphere && sphere->isVisible());
+    QSignalSpy edited(m_viewport.get(), &Viewport::lightEdited);
+    QSignalSpy finished(m_viewport.get(), &Viewport::lightEditFinished);
+    QTest::mouseClick(sphere, Qt::LeftButton, {}, sphere->rect().center() + QPoint(1, 1));
+    QCOMPARE(edited.count(), 1);
+    QCOMPARE(finished.count(), 1);
+    // A click on the middle puts the light behind the eye.
+    const auto vector = glm::normalize(edited.at(0).at(1).value<glm::vec3>());
+    QVERIFY(glm::dot(vector, m_viewport->camera().basis()[2]) > 0.99f);
+}
+
+void ViewportGlTest::keysFrame() {
+    scene::Scene scene = test::sceneOf(test::sphereMesh(), "one");
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects[1].name = "two";
+    scene.objects[1].transform[3] = {10, 0, 0, 1};
+    show(scene);
+    QSignalSpy edited(m_viewport.get(), &Viewport::cameraEdited);
+    QTest::keyClick(m_viewport.get(), Qt::Key_Home);
+    QCOMPARE(edited.count(), 1);
+    QVERIFY(glm::length(m_viewport->camera().target - glm::vec3(5, 0, 0)) < 1e-4f);
+    QVERIFY(m_viewport->camera().radius > 5);
+    // F frames what lies under the cursor.
+    scene::Camera camera = m_viewport->camera();
+    camera.target = {10, 0, 0};
+    m_viewport->setCamera(camera);
+    QCursor::setPos(m_viewport->mapToGlobal(centre()));
+    QTRY_COMPARE(QCursor::pos(), m_viewport->mapToGlobal(centre()));
+    QTest::keyClick(m_viewport.get(), Qt::Key_F);
+    QVERIFY(glm::length(m_viewport->camera().target - glm::vec3(10, 0, 0)) < 1e-4f);
+    QVERIFY(m_viewport->camera().radius < 2);
+}
+
+void ViewportGlTest::anotherContextGivesTheSamePicture() {
+    const scene::Scene scene = test::sceneOf(test::sphereMesh());
+    show(scene);
+    const QImage before = m_viewport->picture();
+    auto* view = m_viewport->findChild<GlView*>();
+    const QSize size = m_viewport->size();
+    QPointer<QOpenGLContext> first = view->context();
+    QWidget other;
+    // Taken out again before `other` goes, whatever fails.
+    const auto takeOut = qScopeGuard([this] { m_viewport->setParent(nullptr); });
+    m_viewport->setParent(&other);
+    m_viewport->resize(size);
+    m_viewport->show();
+    other.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&other));
+    QVERIFY(first.isNull());  // gone, so the picture comes from another one
+    QVERIFY(view->context());
+    QCOMPARE(m_viewport->picture(), before);
+    m_viewport->setParent(nullptr);
+    m_viewport->resize(size);
+    m_viewport->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_viewport.get()));
+    QCOMPARE(m_viewport->picture(), before);
+}
+
+void ViewportGlTest::sameObjectKeepsItsPlacement() {
+    scene::Scene scene = test::sceneOf(test::sphereMesh());
+    show(scene);
+    m_viewport->picture();
+    scene.objects[0].transform[3] = {0.2f, 0, 0, 1};
+    m_viewport->setScene(scene);
+    m_viewport->picture();
+    const methods::TexturePlacement moved = m_viewport->placements().at(0);
+    QVERIFY(moved.offset.x > 5);
+    // Another object comes in before it.
+    scene.objects.insert(scene.objects.begin(), test::sceneOf(test::squareMesh(), "new").objects[0]);
+    m_viewport->setScene(scene);
+    m_viewport->picture();
+    QCOMPARE(m_viewport->placements().at(0), methods::TexturePlacement{});
+    QCOMPARE(m_viewport->placements().at(1), moved);
+}
+
+void ViewportGlTest::tellsFramesAndDrops() {
+    QSignalSpy drawn(m_viewport.get(), &Viewport::frameDrawn);
+    show(test::sceneOf(test::sphereMesh()));
+    QTRY_VERIFY(drawn.count() > 0);
+    QVERIFY(drawn.at(0).at(0).toDouble() > 0);
+
+    QSignalSpy dropped(m_viewport.get(), &Viewport::filesDropped);
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile("/paint/strip.png"), QUrl("https://example.org/x.png")});
+    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(m_viewport.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(m_viewport.get(), &drop);
+    QCOMPARE(dropped.count(), 1);
+    QCOMPARE(dropped.at(0).at(0).toStringList(), QStringList{"/paint/strip.png"});
+}
+
+}  // namespace chiaro::widgets
+
+QTEST_MAIN(chiaro::widgets::ViewportGlTest)
+#include "viewport_gl_test.moc"

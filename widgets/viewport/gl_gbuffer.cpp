@@ -1,0 +1,116 @@
+#include "widgets/viewport/gl_gbuffer.h"
+
+namespace chiaro::widgets {
+
+namespace {
+
+constexpr int maximumHardLights = 16;
+
+int hardLightsOf(const std::vector<scene::Light>& lights) {
+    const auto hard = std::ranges::count_if(lights, [](const scene::Light& light) { return !light.wrap; });
+    return std::min(int(hard), maximumHardLights);
+}
+
+void drawObject(Gl& gl, QOpenGLShaderProgram& program, const GlMeshes::Buffers& buffers,
+                const scene::Object& object, const glm::mat4& worldToClip, std::size_t id) {
+    const glm::mat3 linear(object.transform);
+    program.setUniformValue("objectToClip", qtMatrix(worldToClip * object.transform));
+    program.setUniformValue(
+        "normalToWorld", qtMatrix(glm::mat4(glm::transpose(glm::inverse(linear)))).toGenericMatrix<3, 3>());
+    program.setUniformValue("objectId", QVector2D(float(id % 256), float(id / 256)));
+    // A mirroring transform turns the triangles around; their front sides stay what they were.
+    gl.glFrontFace(glm::determinant(linear) < 0 ? GL_CW : GL_CCW);
+    gl.glBindVertexArray(buffers.vertexArray);
+    gl.glDrawElements(GL_TRIANGLES, buffers.indexCount, GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace
+
+bool GlGBuffer::initialize(Gl& gl) {
+    gl.glGetIntegerv(GL_MAX_SAMPLES, &m_samples);
+    m_samples = std::min(m_samples, 8);
+    return programFor(0) && allocate(gl, {16, 16});
+}
+
+bool GlGBuffer::allocate(Gl& gl, QSize pixels) {
+    gl.glDeleteFramebuffers(1, &m_framebuffer);
+    gl.glDeleteTextures(1, &m_surfaces);
+    gl.glDeleteRenderbuffers(1, &m_depth);
+    gl.glGenTextures(1, &m_surfaces);
+    gl.glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, m_surfaces);
+    gl.glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, m_samples, GL_RGBA8, pixels.width(),
+                               pixels.height(), GL_TRUE);
+    gl.glGenRenderbuffers(1, &m_depth);
+    gl.glBindRenderbuffer(GL_RENDERBUFFER, m_depth);
+    gl.glRenderbufferStorageMultisample(GL_RENDERBUFFER, m_samples, GL_DEPTH_COMPONENT24, pixels.width(),
+                                        pixels.height());
+    gl.glGenFramebuffers(1, &m_framebuffer);
+    gl.glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+    gl.glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, m_surfaces, 0);
+    gl.glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, m_depth);
+    m_size = pixels;
+    const GLenum status = gl.glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE) qWarning("OpenGL refuses the G-buffer: 0x%x", status);
+    return status == GL_FRAMEBUFFER_COMPLETE;
+}
+
+QOpenGLShaderProgram* GlGBuffer::programFor(int hardLights) {
+    const auto [entry, isNew] = m_programs.try_emplace(hardLights);
+    if (isNew)
+        entry->second =
+            makeProgram("common/gbuffer.vert", "common/gbuffer.frag", {{"HARD_LIGHTS", hardLights}});
+    return entry->second.get();
+}
+
+void GlGBuffer::setLights(QOpenGLShaderProgram& program, const std::vector<scene::Light>& lights) {
+    glm::vec4 wrapped(0);
+    std::vector<QVector3D> hard;
+    for (const scene::Light& light : lights) {
+        const glm::vec3 shone = glm::normalize(light.vector) * light.intensity;
+        if (light.wrap)
+            wrapped += glm::vec4(shone, light.intensity) * 0.5f;
+        else if (int(hard.size()) < maximumHardLights)
+            hard.emplace_back(shone.x, shone.y, shone.z);
+    }
+    program.setUniformValue("wrappedLight", wrapped.x, wrapped.y, wrapped.z, wrapped.w);
+    if (!hard.empty()) program.setUniformValueArray("hardLights", hard.data(), int(hard.size()));
+}
+
+void GlGBuffer::draw(Gl& gl, const ViewState& state, std::span<const std::size_t> objects, QSize pixels) {
+    const scene::Scene& scene = state.scene();
+    m_meshes.sync(gl, scene);
+    if (m_size != pixels) allocate(gl, pixels);
+    gl.glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+    gl.glViewport(0, 0, pixels.width(), pixels.height());
+    gl.glDisable(GL_BLEND);
+    gl.glDisable(GL_CULL_FACE);
+    gl.glEnable(GL_DEPTH_TEST);
+    gl.glDepthFunc(GL_LESS);
+    gl.glDepthMask(GL_TRUE);
+    gl.glClearColor(0, 0, 0, 0);
+    gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    QOpenGLShaderProgram* program = programFor(hardLightsOf(scene.lights));
+    if (!program) return;
+    program->bind();
+    setLights(*program, scene.lights);
+    const glm::mat4 worldToClip =
+        state.camera.projection(pixels.width(), pixels.height()) * state.camera.view();
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const scene::Object& object = scene.objects[objects[i]];
+        drawObject(gl, *program, m_meshes.find(object.mesh), object, worldToClip, i + 1);
+    }
+    gl.glBindVertexArray(0);
+    program->release();
+}
+
+void GlGBuffer::release(Gl& gl) {
+    m_programs.clear();
+    m_meshes.release(gl);
+    gl.glDeleteFramebuffers(1, &m_framebuffer);
+    gl.glDeleteTextures(1, &m_surfaces);
+    gl.glDeleteRenderbuffers(1, &m_depth);
+    m_framebuffer = m_surfaces = m_depth = 0;
+    m_size = {};
+}
+
+}  // namespace chiaro::widgets

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "widgets/viewport/gl_meshes.h"
+#include "widgets/viewport/gl_support.h"
+#include "widgets/viewport/view_state.h"
+
+#include <map>
+#include <span>
+
+namespace chiaro::widgets {
+
+/// What each sample of each pixel sees: its light L in 16 bits and the id of the object, the OpenGL
+/// counterpart of scene::GBuffer. A drawer shades from it, so that a method's shader runs once a pixel
+/// however small the triangles are, and silhouettes stay smooth (4 to 8 samples a pixel). Every call needs
+/// the context current.
+class GlGBuffer {
+public:
+    /// False when the driver refuses it; why is in the log.
+    bool initialize(Gl& gl);
+    /// Draws these objects of the scene, by index, in their order: the first has id 1. Leaves its framebuffer
+    /// bound.
+    void draw(Gl& gl, const ViewState& state, std::span<const std::size_t> objects, QSize pixels);
+    /// The GL_TEXTURE_2D_MULTISAMPLE that shaders/common/gbuffer_samples.glsl reads.
+    GLuint texture() const { return m_surfaces; }
+    int samples() const { return m_samples; }
+    void release(Gl& gl);
+
+private:
+    bool allocate(Gl& gl, QSize pixels);
+    QOpenGLShaderProgram* programFor(int hardLights);
+    void setLights(QOpenGLShaderProgram& program, const std::vector<scene::Light>& lights);
+
+    std::map<int, std::unique_ptr<QOpenGLShaderProgram>> m_programs;  ///< by the number of hard lights
+    GlMeshes m_meshes;
+    int m_samples = 0;
+    QSize m_size;
+    GLuint m_framebuffer = 0;
+    GLuint m_surfaces = 0;
+    GLuint m_depth = 0;
+};
+
+}  // namespace chiaro::widgets

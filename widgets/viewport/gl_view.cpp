@@ -1,0 +1,57 @@
+#include "widgets/viewport/gl_view.h"
+
+#include <QElapsedTimer>
+#include <QOpenGLContext>
+#include <QOpenGLVersionFunctionsFactory>
+
+namespace chiaro::widgets {
+
+GlView::GlView(ViewState& state, QWidget* parent) : QOpenGLWidget(parent), m_state(state) {
+    setFormat(openGlFormat());
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+}
+
+GlView::~GlView() {
+    // The context goes down after this class has: its signal must not come back here.
+    if (context()) disconnect(context(), nullptr, this, nullptr);
+    releaseGl();
+}
+
+void GlView::initializeGL() {
+    m_gl = QOpenGLVersionFunctionsFactory::get<Gl>(context());
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlView::releaseGl);
+    if (m_gl && m_drawer.initialize(*m_gl)) return;
+    m_gl = nullptr;
+    QMetaObject::invokeMethod(this, &GlView::failed, Qt::QueuedConnection);
+}
+
+void GlView::releaseGl() {
+    if (!m_gl) return;
+    makeCurrent();
+    m_drawer.release(*m_gl);
+    m_gl = nullptr;
+    doneCurrent();
+}
+
+void GlView::paintGL() {
+    if (!m_gl) return;
+    QElapsedTimer timer;
+    timer.start();
+    const QSize pixels = size() * devicePixelRatioF();
+    m_state.follow(pixels);
+    m_drawer.draw(*m_gl, m_state, pixels, defaultFramebufferObject());
+    // So that the figure is the frame's and not the queue's; the window has nothing else to draw meanwhile.
+    m_gl->glFinish();
+    const double milliseconds = double(timer.nsecsElapsed()) * 1e-6;
+    // Told later: who listens may do what must not be done while painting.
+    QMetaObject::invokeMethod(
+        this, [this, milliseconds] { Q_EMIT frameDrawn(milliseconds); }, Qt::QueuedConnection);
+}
+
+QImage GlView::picture() {
+    QImage image = grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    image.setDevicePixelRatio(1);
+    return image;
+}
+
+}  // namespace chiaro::widgets

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/gradient/gradient.h"
+#include "core/methods/view_aligned.h"
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
+#include "core/synthesis/levels.h"
+
+#include <QSize>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace chiaro::widgets {
+
+/// What one paint sample gives the viewport. Shared immutable snapshots.
+struct ViewportPaint {
+    std::shared_ptr<const synthesis::LevelStack> levels;  ///< null: G(L) alone is shown
+    gradient::Gradient gradient;                          ///< empty: a plain grey
+};
+
+/// True for what the eye can meet: visible, and with a mesh that has faces.
+bool isDrawn(const scene::Object& object);
+
+/// Everything a view draws, and where each object's texture lies (§4.2). The OpenGL and the CPU view draw the
+/// same state.
+class ViewState {
+public:
+    const scene::Scene& scene() const { return m_scene; }
+    /// An object that was there before (the same mesh under the same name) keeps its placement.
+    void setScene(const scene::Scene& scene);
+    void setLights(const std::vector<scene::Light>& lights) { m_scene.lights = lights; }
+
+    /// The paint of a sample; one that was never set is a plain grey without texture.
+    const ViewportPaint& paint(int sample) const;
+    void setPaint(int sample, ViewportPaint paint);
+    void setGradient(int sample, const gradient::Gradient& gradient);
+
+    scene::Camera camera;
+    methods::ViewAlignedParams params;
+    glm::vec3 background{0.22f};
+
+    /// Lets the textures follow what moved since the last call, for a view of so many device pixels. A view
+    /// of another size moves them but does not scale them: a larger window shows as large strokes.
+    void follow(QSize pixels);
+    const std::vector<methods::TexturePlacement>& placements() const { return m_placements; }
+
+private:
+    methods::TexturePlacement followed(std::size_t object, const methods::ObjectView& now) const;
+
+    scene::Scene m_scene;
+    std::map<int, ViewportPaint> m_paints;
+    std::vector<methods::TexturePlacement> m_placements;     ///< one an object
+    std::vector<std::optional<methods::ObjectView>> m_seen;  ///< as last followed, one an object
+    scene::Camera m_seenCamera;
+};
+
+}  // namespace chiaro::widgets

@@ -1,0 +1,308 @@
+#include "widgets/viewport/viewport.h"
+
+#include "widgets/viewport/cpu_view.h"
+#include "widgets/viewport/gl_view.h"
+#include "widgets/viewport/light_sphere.h"
+#include "widgets/viewport/picking.h"
+
+#include <QDragEnterEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QVBoxLayout>
+
+namespace chiaro::widgets {
+
+struct Viewport::Impl {
+    explicit Impl(Viewport& owner) : widget(owner) {}
+
+    Viewport& widget;
+    ViewState state;
+    Navigation navigation = Navigation::Blender;
+    GlView* glView = nullptr;    ///< either this
+    CpuView* cpuView = nullptr;  ///< or this
+    LightSphere* sphere = nullptr;
+    QLabel* note = nullptr;
+
+    Gesture gesture = Gesture::None;
+    Qt::MouseButton button = Qt::NoButton;  ///< whose drag it is
+    QPointF pressed;
+    QPointF last;
+    bool lightTurned = false;
+
+    void showByOpenGl();
+    void showByCpu();
+    void refresh();
+    void placeOverlays();
+
+    void move(const scene::Camera& camera);
+    void turnLight(glm::vec3 vector);
+    void finishLight();
+    void drag(QPointF position);
+    void frame(const scene::Scene& scene);
+    void frameUnderCursor();
+};
+
+void Viewport::Impl::showByOpenGl() {
+    glView = new GlView(state, &widget);
+    widget.layout()->addWidget(glView);
+    connect(glView, &GlView::frameDrawn, &widget, &Viewport::frameDrawn);
+    connect(glView, &GlView::failed, &widget, [this] {
+        glView->deleteLater();
+        glView = nullptr;
+        showByCpu();
+    });
+}
+
+void Viewport::Impl::showByCpu() {
+    cpuView = new CpuView(state, &widget);
+    widget.layout()->addWidget(cpuView);
+    connect(cpuView, &CpuView::frameDrawn, &widget, &Viewport::frameDrawn);
+    note = new QLabel(tr("No OpenGL here: these are the CPU renderer's pictures."), &widget);
+    note->setStyleSheet("background: rgba(0, 0, 0, 150); color: white; padding: 4px 8px;");
+    note->show();
+    sphere->raise();
+    placeOverlays();
+}
+
+void Viewport::Impl::refresh() {
+    if (glView) glView->update();
+    if (cpuView) cpuView->refresh();
+    const int sample = state.scene().objects.empty() ? 0 : state.scene().objects.front().sample;
+    sphere->show(state.scene().lights, state.camera, state.paint(sample).gradient);
+}
+
+void Viewport::Impl::placeOverlays() {
+    constexpr int margin = 12;
+    sphere->move(widget.width() - sphere->width() - margin, margin);
+    if (!note) return;
+    note->setWordWrap(false);
+    const int width = std::min(note->sizeHint().width(), widget.width() - 2 * margin);
+    note->setWordWrap(true);
+    note->resize(width, note->heightForWidth(width));
+    note->move(margin, widget.height() - note->height() - margin);
+}
+
+void Viewport::Impl::move(const scene::Camera& camera) {
+    if (camera == state.camera) return;
+    state.camera = camera;
+    refresh();
+    Q_EMIT widget.cameraEdited(camera);
+}
+
+void Viewport::Impl::turnLight(glm::vec3 vector) {
+    std::vector<scene::Light> lights = state.scene().lights;
+    if (lights.empty()) return;
+    lights.front().vector = vector;
+    state.setLights(lights);
+    lightTurned = true;
+    refresh();
+    Q_EMIT widget.lightEdited(0, vector);
+}
+
+void Viewport::Impl::finishLight() {
+    if (std::exchange(lightTurned, false)) Q_EMIT widget.lightEditFinished();
+}
+
+void Viewport::Impl::drag(QPointF position) {
+    const QPointF delta = position - std::exchange(last, position);
+    const QSizeF size = widget.size();
+    switch (gesture) {
+        case Gesture::None:
+            return;
+        case Gesture::Orbit:
+            return move(orbited(state.camera, delta));
+        case Gesture::Pan:
+            return move(panned(state.camera, delta, size));
+        case Gesture::Zoom:
+            return move(zoomed(state.camera, dragZoomFactor(float(delta.y())), pressed, size));
+        case Gesture::Light:
+            if (!state.scene().lights.empty())
+                turnLight(turnedLight(state.scene().lights.front().vector, state.camera, delta));
+            return;
+    }
+}
+
+void Viewport::Impl::frame(const scene::Scene& scene) {
+    if (std::ranges::none_of(scene.objects, isDrawn)) return;
+    scene::Camera camera = state.camera.framed(scene::boundsOf(scene));
+    camera.distance = 1;
+    move(camera);
+}
+
+void Viewport::Impl::frameUnderCursor() {
+    const QPointF cursor = widget.mapFromGlobal(QPointF(QCursor::pos()));
+    const bool inside = QRectF(widget.rect()).contains(cursor);
+    const auto object = inside ? objectAt(state.scene(), state.camera, cursor, widget.size()) : std::nullopt;
+    frame(object ? scene::Scene{{state.scene().objects[*object]}, {}} : state.scene());
+}
+
+Viewport::Viewport(QWidget* parent) : QWidget(parent), m(std::make_unique<Impl>(*this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAcceptDrops(true);
+    setMinimumSize(160, 120);
+    setAccessibleName(tr("Viewport"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m->sphere = new LightSphere(this);
+    connect(m->sphere, &LightSphere::lightDragged, this, [this](glm::vec3 direction) {
+        if (m->state.scene().lights.empty()) return;
+        m->turnLight(direction * glm::length(m->state.scene().lights.front().vector));
+    });
+    connect(m->sphere, &LightSphere::dragFinished, this, [this] { m->finishLight(); });
+    if (openGlSupport().usable)
+        m->showByOpenGl();
+    else
+        m->showByCpu();
+    m->sphere->raise();
+    m->refresh();
+}
+
+Viewport::~Viewport() {
+    // The views read the state, so they go first.
+    delete m->glView;
+    delete m->cpuView;
+}
+
+bool Viewport::usesOpenGl() const {
+    return m->glView != nullptr;
+}
+
+void Viewport::setScene(const scene::Scene& scene) {
+    m->state.setScene(scene);
+    m->refresh();
+}
+
+void Viewport::setLights(const std::vector<scene::Light>& lights) {
+    m->state.setLights(lights);
+    m->refresh();
+}
+
+void Viewport::setCamera(const scene::Camera& camera) {
+    m->state.camera = camera;
+    m->refresh();
+}
+
+const scene::Camera& Viewport::camera() const {
+    return m->state.camera;
+}
+
+void Viewport::setPaint(int sample, ViewportPaint paint) {
+    m->state.setPaint(sample, std::move(paint));
+    m->refresh();
+}
+
+void Viewport::setGradient(int sample, const gradient::Gradient& gradient) {
+    m->state.setGradient(sample, gradient);
+    m->refresh();
+}
+
+void Viewport::setParams(const methods::ViewAlignedParams& params) {
+    m->state.params = params;
+    m->refresh();
+}
+
+void Viewport::setNavigation(Navigation navigation) {
+    m->navigation = navigation;
+}
+
+void Viewport::setBackground(glm::vec3 color) {
+    m->state.background = color;
+    m->refresh();
+}
+
+void Viewport::frameAll() {
+    m->frame(m->state.scene());
+}
+
+QImage Viewport::picture() const {
+    return m->glView ? m->glView->picture() : m->cpuView->picture();
+}
+
+std::vector<methods::TexturePlacement> Viewport::placements() const {
+    m->state.follow(size() * devicePixelRatioF());
+    return m->state.placements();
+}
+
+bool Viewport::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        // Numpad keys are views here, whatever the plain digits are shortcuts of.
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->modifiers() & Qt::KeypadModifier &&
+            keyMoved(m->state.camera, key->key(), key->modifiers(), size()))
+            event->accept();
+    }
+    if (event->type() == QEvent::NativeGesture) {
+        const auto* gesture = static_cast<QNativeGestureEvent*>(event);
+        if (gesture->gestureType() == Qt::ZoomNativeGesture) {
+            const float factor = 1 / std::max(0.1f, 1 + float(gesture->value()));
+            m->move(zoomed(m->state.camera, factor, gesture->position(), size()));
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+    if (m->gesture != Gesture::None) return;
+    m->gesture = dragGesture(m->navigation, event->button(), event->modifiers());
+    m->button = event->button();
+    m->pressed = m->last = event->position();
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+    m->drag(event->position());
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != m->button) return;
+    m->gesture = Gesture::None;
+    m->finishLight();
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+    // Alt turns a vertical wheel into a horizontal one.
+    const QPoint angle = event->angleDelta();
+    const QPointF pixels = event->pixelDelta().isNull() ? QPointF(angle) / 4 : QPointF(event->pixelDelta());
+    switch (scrollGesture(m->navigation, event->modifiers())) {
+        case Gesture::Orbit:
+            m->move(orbited(m->state.camera, pixels));
+            break;
+        case Gesture::Pan:
+            m->move(panned(m->state.camera, pixels, size()));
+            break;
+        default: {
+            const float factor = wheelZoomFactor(float(angle.y() != 0 ? angle.y() : angle.x()));
+            m->move(zoomed(m->state.camera, factor, event->position(), size()));
+        }
+    }
+    event->accept();
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Home) return m->frame(m->state.scene());
+    if (event->key() == Qt::Key_F && event->modifiers() == Qt::NoModifier) return m->frameUnderCursor();
+    if (const auto camera = keyMoved(m->state.camera, event->key(), event->modifiers(), size()))
+        return m->move(*camera);
+    QWidget::keyPressEvent(event);
+}
+
+void Viewport::resizeEvent(QResizeEvent*) {
+    m->placeOverlays();
+}
+
+void Viewport::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void Viewport::dropEvent(QDropEvent* event) {
+    QStringList paths;
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) paths << url.toLocalFile();
+    if (paths.isEmpty()) return;
+    event->acceptProposedAction();
+    Q_EMIT filesDropped(paths);
+}
+
+}  // namespace chiaro::widgets
