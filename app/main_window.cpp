@@ -3,6 +3,7 @@
 #include "app/docks/gradient_dock.h"
 #include "app/docks/parameters_dock.h"
 #include "app/docks/sample_dock.h"
+#include "app/empty_hint.h"
 #include "app/export_dialog.h"
 #include "app/job_status.h"
 #include "app/recent_files.h"
@@ -79,6 +80,7 @@ void MainWindow::makeCentralView() {
     layout->addWidget(m_messages);
     layout->addWidget(m_viewport, 1);
     setCentralWidget(center);
+    new EmptyHint(m_document, m_viewport);
     new ViewportLink(m_document, m_paints, m_meshes, *m_viewport, center);
 }
 

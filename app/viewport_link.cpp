@@ -37,6 +37,9 @@ void ViewportLink::applyChange(Change change) {
             [[fallthrough]];
         case Kind::Samples:
             for (int sample = 0; sample < int(project.samples.size()); ++sample) showPaint(sample);
+            for (int sample = int(project.samples.size()); sample < m_shownSamples; ++sample)
+                m_viewport.setPaint(sample, {});
+            m_shownSamples = int(project.samples.size());
             break;
         case Kind::Lights:
             m_viewport.setLights(project.lights);

@@ -35,6 +35,7 @@ private:
     Paints& m_paints;
     Meshes& m_meshes;
     widgets::Viewport& m_viewport;
+    int m_shownSamples = 0;
     std::vector<std::shared_ptr<const scene::Mesh>> m_framed;  ///< that the camera was aimed at
 };
 

@@ -12,7 +12,7 @@ namespace chiaro::widgets {
 
 namespace {
 
-QIcon swatch(const QImage& colors, QSize size, double ratio) {
+QPixmap swatch(const QImage& colors, QSize size, double ratio) {
     QPixmap pixmap(size * ratio);
     pixmap.setDevicePixelRatio(ratio);
     pixmap.fill(Qt::transparent);
@@ -23,9 +23,7 @@ QIcon swatch(const QImage& colors, QSize size, double ratio) {
     painter.setClipPath(outline);
     painter.drawImage(QRectF(QPointF(0, 0), QSizeF(size)), colors);
     painter.end();
-    QIcon icon(pixmap);
-    icon.addPixmap(pixmap, QIcon::Disabled);
-    return icon;
+    return pixmap;
 }
 
 }  // namespace
@@ -139,6 +137,12 @@ void ColorPathView::setOwnColors(const gradient::Gradient& colors) {
     setEnabled(!colors.empty());
     m_bar->setOwnColors(colors);
     showPath();
+}
+
+void ColorPathView::startAfresh() {
+    m_last = {};
+    m_bar->select(-1);
+    setRecoloring(std::nullopt);
 }
 
 void ColorPathView::flip() {

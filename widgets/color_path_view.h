@@ -29,6 +29,8 @@ public:
     /// The sample's own gradient, shown while nothing recolours it and the start of a new path; empty
     /// disables the view.
     void setOwnColors(const gradient::Gradient& colors);
+    /// Before another sample is shown: nothing that was chosen for the last one is kept.
+    void startAfresh();
     ColorPathBar* bar() const { return m_bar; }
 
 public Q_SLOTS:

@@ -38,10 +38,10 @@ ParameterForm::ParameterForm(std::vector<ParameterSpec> specs, std::vector<doubl
       m_resets(m_specs.size()) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(8);
+    grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(4);
     grid->setColumnMinimumWidth(0, labelWidth);
-    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(2, 1);
     for (int i = 0; i < int(m_specs.size()); ++i) {
         addRow(*grid, i);
         showValue(i, m_values[std::size_t(i)]);
@@ -77,8 +77,8 @@ void ParameterForm::addRow(QGridLayout& grid, int index) {
     label->setToolTip(tooltip(index));
     editor->setToolTip(tooltip(index));
     grid.addWidget(label, index, 0);
-    grid.addWidget(editor, index, 1);
-    grid.addWidget(reset, index, 2);
+    grid.addWidget(reset, index, 1);
+    grid.addWidget(editor, index, 2);
 }
 
 QWidget* ParameterForm::makeNumber(int index) {
@@ -86,6 +86,7 @@ QWidget* ParameterForm::makeNumber(int index) {
     auto* row = new QWidget;
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(10);
     auto* field = new QDoubleSpinBox;
     field->setObjectName(QString::fromStdString(spec.key));
     field->setAccessibleName(QString::fromStdString(spec.label));

@@ -21,8 +21,13 @@ QPixmap dimmed(const QPixmap& pixmap) {
 QIcon icon(const char* name) {
     const QString path = QString(":/icons/%1.svg").arg(name);
     if (!QFile::exists(path)) return {};
-    QIcon icon(path);
-    for (int size : {16, 32, 64}) icon.addPixmap(dimmed(QIcon(path).pixmap(size)), QIcon::Disabled);
+    const QIcon drawing(path);
+    QIcon icon;
+    for (int size : {16, 20, 24, 32, 48, 64}) {
+        const QPixmap pixmap = drawing.pixmap(QSize(size, size), 1.0);
+        icon.addPixmap(pixmap);
+        icon.addPixmap(dimmed(pixmap), QIcon::Disabled);
+    }
     return icon;
 }
 

@@ -4,6 +4,7 @@
 #include "app/paints.h"
 #include "widgets/color_path_view.h"
 #include "widgets/gradient_curve_editor.h"
+#include "widgets/speed_curve_plot.h"
 
 #include <QtWidgets>
 
@@ -35,6 +36,9 @@ GradientDock::GradientDock(Document& document, Paints& paints)
 
 void GradientDock::setSample(int sample) {
     m_sample = sample;
+    m_editor->plot()->select(-1);
+    m_colors->startAfresh();
+    m_editor->setParams({});
     if (sample >= 0) {
         const project::Sample& edited = m_document.project().samples[std::size_t(sample)];
         m_editor->setParams(edited.gradient);

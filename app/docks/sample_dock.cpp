@@ -140,7 +140,9 @@ void SampleDock::showSwatch(int sample) {
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         painter.drawImage(QRect({0, 0}, swatchSize), widgets::toImage(gradient));
     }
-    item->setIcon(swatch);
+    QIcon icon(swatch);
+    icon.addPixmap(swatch, QIcon::Selected);  // else the selection would tint the colours
+    item->setIcon(icon);
 }
 
 }  // namespace chiaro::app

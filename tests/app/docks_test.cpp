@@ -99,6 +99,7 @@ private Q_SLOTS:
         QCOMPARE(docks.undo().count(), 2);
         const QPoint place = plot.toWidget({0.5F, 0.25F}).toPoint();
         QTest::mouseDClick(&plot, Qt::LeftButton, {}, place);
+        QTest::mouseRelease(&plot, Qt::LeftButton, {}, place);
         QCOMPARE(docks.undo().count(), 3);
         QTest::mousePress(&plot, Qt::LeftButton, {}, place);
         for (int step = 1; step <= 20; ++step) QTest::mouseMove(&plot, place + QPoint(step, -step));

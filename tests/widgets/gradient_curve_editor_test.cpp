@@ -54,6 +54,7 @@ struct Shown {
     }
     void doubleClick(glm::vec2 place) {
         QTest::mouseDClick(&plot(), Qt::LeftButton, {}, plot().toWidget(place).toPoint());
+        QTest::mouseRelease(&plot(), Qt::LeftButton, {}, plot().toWidget(place).toPoint());
     }
 };
 
