@@ -37,10 +37,6 @@ QStringList localFiles(const QMimeData& data) {
     return paths;
 }
 
-QString folderOf(const std::filesystem::path& path) {
-    return QString::fromStdString(path.parent_path().string());
-}
-
 }  // namespace
 
 MainWindow::MainWindow()
@@ -166,7 +162,7 @@ void MainWindow::makeViewMenu() {
         group->addAction(action);
         ++number;
     }
-    setNavigation(chosen);
+    m_viewport->setNavigation(widgets::Viewport::Navigation(chosen));
     view->addSeparator();
     for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
     addAction(*view, nullptr, tr("&Reset Layout"), {},
@@ -211,7 +207,7 @@ void MainWindow::connectParts() {
     connect(&m_opener, &Opener::noted, this, &MainWindow::showNote);
     connect(&m_opener, &Opener::projectOpened, this, [this](const QString& path) {
         m_messages->hide();
-        m_recent->add(path);
+        if (!m_document.path().empty()) m_recent->add(path);
     });
     connect(&m_opener, &Opener::sampleOpened, m_sampleDock, &SampleDock::selectSample);
     m_opener.setReplaceQuestion([this] { return mayDiscard(); });
@@ -229,6 +225,11 @@ void MainWindow::connectParts() {
 void MainWindow::setNavigation(int navigation) {
     m_viewport->setNavigation(widgets::Viewport::Navigation(navigation));
     QSettings().setValue("navigation", navigation);
+}
+
+QString MainWindow::folder() const {
+    if (m_document.path().empty()) return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QString::fromStdString(m_document.path().parent_path().string());
 }
 
 void MainWindow::newProject() {
@@ -250,7 +251,7 @@ bool MainWindow::save() {
 }
 
 bool MainWindow::saveAs() {
-    const QString suggestion = folderOf(m_document.path()) + "/" + m_document.name() + ".chiaro";
+    const QString suggestion = folder() + "/" + m_document.name() + ".chiaro";
     QString path = QFileDialog::getSaveFileName(this, tr("Save Project"), suggestion, tr(projectFilter));
     if (path.isEmpty()) return false;
     if (!path.endsWith(".chiaro")) path += ".chiaro";
@@ -289,7 +290,7 @@ void MainWindow::exportPicture() {
     suggestion.width = source.viewportWidth;
     suggestion.height = source.viewportHeight;
     suggestion.background = viewportBackground;
-    suggestion.path = (folderOf(m_document.path()) + "/" + m_document.name() + ".png").toStdString();
+    suggestion.path = (folder() + "/" + m_document.name() + ".png").toStdString();
     ExportDialog dialog(suggestion, this);
     if (dialog.exec() != QDialog::Accepted) return;
     for (int sample = 0; sample < int(source.project.samples.size()); ++sample) {

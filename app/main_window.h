@@ -74,6 +74,8 @@ private:
     QAction* addAction(QMenu& menu, const char* icon, const QString& text, const QKeySequence& keys,
                        const std::function<void()>& triggered);
 
+    /// Where the artist's files go: beside the project, or to their documents.
+    QString folder() const;
     void newProject();
     void openByDialog(const QString& title, const QString& filter);
     bool saveTo(const QString& path);

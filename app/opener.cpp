@@ -6,6 +6,7 @@
 #include "app/meshes.h"
 #include "app/paints.h"
 #include "core/base/error.h"
+#include "core/base/resources.h"
 
 #include <QtWidgets>
 
@@ -31,6 +32,15 @@ LoadedProject readAll(const std::filesystem::path& path, const Task& task) {
     if (!loaded.project.mesh.empty())
         loaded.model = LoadedModel::read(loaded.project.mesh, task.part(0.5, 1));
     return loaded;
+}
+
+/// The demo is opened to play with: saving asks for a place, and the demo stays as it is.
+bool isDemo(const std::filesystem::path& path) {
+    try {
+        return std::filesystem::equivalent(path.parent_path(), resourceFolder() / "demo");
+    } catch (const std::exception&) {
+        return false;  // no demo there
+    }
 }
 
 QString fileName(const std::filesystem::path& path) {
@@ -88,7 +98,8 @@ void Opener::openProject(const std::filesystem::path& path) {
             const std::vector<std::string> names = loaded.model.objectNames();
             const std::vector<std::string> warnings = loaded.model.warnings;
             if (!loaded.project.mesh.empty()) m_meshes.remember(loaded.project.mesh, std::move(loaded.model));
-            m_document.replace(std::move(loaded.project), path, names);
+            m_document.replace(std::move(loaded.project), isDemo(path) ? std::filesystem::path() : path,
+                               names);
             Q_EMIT projectOpened(QString::fromStdString(path.string()));
             note(warnings);
             openNext();

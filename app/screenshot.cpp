@@ -18,10 +18,12 @@ constexpr int maximumLooks = 300'000 / lookMilliseconds;
 
 Screenshot::Screenshot(MainWindow& window, const QString& path)
     : QObject(&window), m_window(window), m_path(path) {
-    connect(&window, &MainWindow::errorShown, this, [](const QString& message) {
+    // Queued: an error before the event loop runs must end it too.
+    const auto fail = [](const QString& message) {
         std::fprintf(stderr, "chiaro-studio: %s\n", qPrintable(message));
         QCoreApplication::exit(1);
-    });
+    };
+    connect(&window, &MainWindow::errorShown, this, fail, Qt::QueuedConnection);
     connect(&m_timer, &QTimer::timeout, this, &Screenshot::look);
     m_timer.start(lookMilliseconds);
 }

@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
     if (!parser.isSet(screenshot)) window.restoreLayout();
     window.show();
     const QStringList files = parser.positionalArguments();
-    window.open(files.isEmpty() ? demoProject() : files);
     if (parser.isSet(screenshot)) new chiaro::app::Screenshot(window, parser.value(screenshot));
+    window.open(files.isEmpty() ? demoProject() : files);
     return QApplication::exec();
 }

@@ -63,6 +63,7 @@ SampleView::SampleView(QWidget* parent)
     });
     connect(m_scale, &ParameterForm::editFinished, this, &SampleView::editFinished);
     setScan({}, {});
+    showParams();
 }
 
 void SampleView::setScan(const QImage& picture, QSize scanSize) {

@@ -96,6 +96,15 @@ private Q_SLOTS:
         QVERIFY(fresh.paints.state(0).levelsAreFinal);
     }
 
+    void theDemoIsOpenedAsACopy() {
+        if (!std::filesystem::exists(test::resource("demo/demo.chiaro"))) QSKIP("no demo project");
+        Studio studio;
+        QVERIFY(studio.open({test::resource("demo/demo.chiaro")}));
+        QVERIFY(studio.errors.empty());
+        QVERIFY(studio.document.path().empty());
+        QVERIFY(!studio.meshes.scene().objects.empty());
+    }
+
     void undoingAMeshBringsTheFormerBack() {
         Studio studio;
         QVERIFY(studio.open({test::writeTetrahedron(m_folder / "one.obj", "one"),
