@@ -49,6 +49,8 @@ QWidget* SampleDock::makeList() {
     m_list->setIconSize(swatchSize);
     m_list->setUniformItemSizes(true);
     m_list->setFixedHeight(96);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setTextElideMode(Qt::ElideMiddle);
     auto* add = widgets::makeToolButton("add", tr("Add sample"), tr("Open a strip as a new sample"));
     m_remove = widgets::makeToolButton("remove", tr("Remove sample"), tr("Remove the selected sample"));
     m_wear = widgets::makeToolButton("paint", tr("Paint everything"), tr("Put this sample on all objects"));
