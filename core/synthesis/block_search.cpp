@@ -203,7 +203,7 @@ bool computeCosts(const SearchTexture& source, const SearchTemplate& goal, const
     kernels::CostRequest request;
     request.source = source.packed();
     if (!TemplatePacker(goal.pixels, request.source, memory).pack(request.constant)) return false;
-    memory.costs.resize(std::size_t(pitch * roundedUp(area.height, kernels::rowPadding)));
+    memory.costs.resize(std::size_t(pitch * (area.height + kernels::rowPadding)));
     request.x = area.x;
     request.y = area.y;
     request.columns = area.width;

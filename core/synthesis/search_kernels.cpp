@@ -27,11 +27,11 @@ using Lanes = hn::CappedTag<std::int32_t, columnPadding>;
 using Vector = hn::Vec<Lanes>;
 constexpr Lanes lanes;
 
-// Candidate rows whose sums are held in registers at once: half of the registers there are.
+// Candidate rows whose sums are held in registers at once, of 32 or of 16 registers.
 #if HWY_TARGET == HWY_AVX3_DL
 constexpr int rowsAtOnce = 16;
 #else
-constexpr int rowsAtOnce = 8;
+constexpr int rowsAtOnce = 6;
 #endif
 static_assert(rowsAtOnce <= rowPadding);
 
