@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -5,8 +7,6 @@
 #include <set>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 namespace {
 
@@ -41,8 +41,8 @@ std::string coreFolder(const fs::path& path) {
     return part->string();
 }
 
-const std::vector<std::string> order{"base",    "sample",  "gradient", "synthesis", "scene",
-                                     "views",   "methods", "metrics",  "export",    "project"};
+const std::vector<std::string> order{"base",  "sample",  "gradient", "synthesis", "scene",
+                                     "views", "methods", "metrics",  "export",    "project"};
 
 std::ptrdiff_t rank(const std::string& folder) {
     return std::find(order.begin(), order.end(), folder) - order.begin();
@@ -70,7 +70,8 @@ TEST(Layers, CoreIncludesOnlyFoldersAboveItself) {
 TEST(Layers, CoreKnowsNoQtNoOpenGlAndNothingAboveIt) {
     static const std::regex forbidden(R"(^(Q[A-Z]|Qt|GL/|widgets/|app/))");
     for (const Include& include : includesBelow("core"))
-        EXPECT_FALSE(std::regex_search(include.what, forbidden)) << include.file << " includes " << include.what;
+        EXPECT_FALSE(std::regex_search(include.what, forbidden))
+            << include.file << " includes " << include.what;
 }
 
 TEST(Layers, WidgetsKnowNoDocument) {
