@@ -5,7 +5,7 @@ uniform vec2 objectRange;  // first and last id of this pass, 1..65535; earlier 
 
 struct PixelSamples {
     float light;     // mean L over the samples of this pass
-    float object;    // the largest id among them
+    int object;      // the largest id among them
     float coverage;  // their share among all samples but those of later passes
 };
 
@@ -14,17 +14,21 @@ bool pixelSamples(out PixelSamples pixel) {
     float light = 0.0;
     float count = 0.0;
     float earlier = 0.0;
-    pixel.object = 0.0;
+    float largest = 0.0;
+    float middle = 0.5 * (objectRange.x + objectRange.y);
+    float reach = middle - objectRange.x + 0.5;
     for (int i = 0; i < SAMPLES; ++i) {
-        vec4 surface = floor(texelFetch(surfaces, ivec2(gl_FragCoord.xy), i) * 255.0 + 0.5);
-        float object = surface.z + 256.0 * surface.w;
-        float mine = step(objectRange.x, object) * step(object, objectRange.y);
-        light += mine * (256.0 * surface.x + surface.y);
+        vec4 surface = texelFetch(surfaces, ivec2(gl_FragCoord.xy), i);
+        float object = dot(surface.zw, vec2(255.0, 255.0 * 256.0));  // a whole number but for rounding
+        bool isMine = abs(object - middle) < reach;
+        float mine = isMine ? 1.0 : 0.0;
+        light += mine * dot(surface.xy, vec2(255.0 * 256.0, 255.0));
         count += mine;
-        earlier += step(object, objectRange.x - 0.5);
-        pixel.object = max(pixel.object, mine * object);
+        earlier += object < objectRange.x - 0.5 ? 1.0 : 0.0;
+        largest = max(largest, mine * object);
     }
     if (count == 0.0) return false;
+    pixel.object = int(largest + 0.5);
     pixel.light = light / (count * 65535.0);
     // Passes are laid over each other in order; with these shares each ends with the weight of its samples.
     pixel.coverage = count / (count + earlier);

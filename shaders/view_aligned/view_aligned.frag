@@ -39,7 +39,7 @@ vec3 filteredTexel(Octave octave, int side, float light) {
 void main() {
     PixelSamples pixel;
     if (!pixelSamples(pixel)) discard;
-    int object = int(pixel.object) - 1;
+    int object = pixel.object - 1;
     vec3 difference = filteredTexel(octaveOf(object, 0), TAPS, pixel.light);
 #if OCTAVES > 1
     difference += filteredTexel(octaveOf(object, 1), NEXT_TAPS, pixel.light);

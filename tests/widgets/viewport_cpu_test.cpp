@@ -100,6 +100,7 @@ void ViewportCpuTest::goesDownDuringARendering() {
 
 int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    qputenv("QT_SCALE_FACTOR", "1");
     QApplication app(argc, argv);
     chiaro::widgets::ViewportCpuTest test;
     return QTest::qExec(&test, argc, argv);

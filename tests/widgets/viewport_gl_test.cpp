@@ -31,6 +31,7 @@ private Q_SLOTS:
     void silhouettesAreSmooth();
     void gradientChangesWithoutTheTexture();
     void withoutLevelsTheGradientAloneShows();
+    void levelsComeInTheBackground();
     void orbitDragTurnsTheCamera();
     void panDragMovesObjectAndTexture();
     void resizingKeepsTheStrokes();
@@ -236,6 +237,21 @@ void ViewportGlTest::withoutLevelsTheGradientAloneShows() {
     QCOMPARE(qRed(pixel), 255);
     QVERIFY(std::abs(qGreen(pixel) - 128) <= 1);
     QVERIFY(std::abs(qBlue(pixel) - 64) <= 1);
+}
+
+void ViewportGlTest::levelsComeInTheBackground() {
+    m_viewport->setPaint(0, {nullptr, m_paints[0].gradient});
+    show(test::sceneOf(test::sphereMesh()));
+    const auto middle = [this] { return m_viewport->grab().toImage().copy(150, 100, 100, 100); };
+    const QImage untextured = middle();
+    m_viewport->setPaint(0, m_paints[0]);
+    QTRY_VERIFY(test::meanDifference(untextured, middle()) > 3);
+    // The same levels again are no news, another stack is.
+    const QImage textured = middle();
+    m_viewport->setPaint(0, m_paints[0]);
+    QCOMPARE(middle(), textured);
+    m_viewport->setPaint(0, {test::generatedLevels(2, 64), m_paints[0].gradient});
+    QTRY_VERIFY(test::meanDifference(textured, middle()) > 3);
 }
 
 void ViewportGlTest::orbitDragTurnsTheCamera() {

@@ -1,5 +1,6 @@
 #include "tests/widgets/viewport_support.h"
 #include "widgets/viewport/picking.h"
+#include "widgets/viewport/screen_bounds.h"
 
 #include <QtTest>
 
@@ -40,6 +41,7 @@ private Q_SLOTS:
     void lightOfTheSphere();
     void numpadViews();
     void picksTheNearestObject();
+    void boundsOnTheScreen();
 };
 
 void NavigationTest::gesturesOfThePresets() {
@@ -186,6 +188,21 @@ void NavigationTest::picksTheNearestObject() {
     QCOMPARE(at({5, 5}), std::nullopt);
     scene.objects[1].visible = false;
     QCOMPARE(at({200, 150}), std::optional<std::size_t>(0));
+}
+
+void NavigationTest::boundsOnTheScreen() {
+    scene::Camera camera;
+    camera.azimuth = 0;
+    camera.elevation = 0;
+    const auto boundsOf = [&](glm::vec3 minimum, glm::vec3 maximum) {
+        return screenBounds({minimum, maximum}, camera.projection(400, 300) * camera.view(), {400, 300});
+    };
+    const QRect square = boundsOf({-0.5f, -0.25f, 0}, {0.5f, 0.25f, 0});
+    const QRectF exact(seen(camera, {-0.5f, 0.25f, 0}), seen(camera, {0.5f, -0.25f, 0}));
+    QVERIFY(QRectF(square).contains(exact));
+    QVERIFY(exact.adjusted(-2, -2, 2, 2).contains(QRectF(square)));
+    QCOMPARE(boundsOf({-1, -1, -1}, {1, 1, 100}), QRect(0, 0, 400, 300));  // reaches behind the eye
+    QVERIFY(boundsOf({50, -1, -1}, {51, 1, 1}).isEmpty());                 // beside the picture
 }
 
 }  // namespace chiaro::widgets

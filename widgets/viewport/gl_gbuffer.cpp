@@ -1,5 +1,7 @@
 #include "widgets/viewport/gl_gbuffer.h"
 
+#include "widgets/viewport/screen_bounds.h"
+
 namespace chiaro::widgets {
 
 namespace {
@@ -76,7 +78,8 @@ void GlGBuffer::setLights(QOpenGLShaderProgram& program, const std::vector<scene
     if (!hard.empty()) program.setUniformValueArray("hardLights", hard.data(), int(hard.size()));
 }
 
-void GlGBuffer::draw(Gl& gl, const ViewState& state, std::span<const std::size_t> objects, QSize pixels) {
+std::vector<QRect> GlGBuffer::draw(Gl& gl, const ViewState& state, std::span<const std::size_t> objects,
+                                   QSize pixels) {
     const scene::Scene& scene = state.scene();
     m_meshes.sync(gl, scene);
     if (m_size != pixels) allocate(gl, pixels);
@@ -90,17 +93,22 @@ void GlGBuffer::draw(Gl& gl, const ViewState& state, std::span<const std::size_t
     gl.glClearColor(0, 0, 0, 0);
     gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     QOpenGLShaderProgram* program = programFor(hardLightsOf(scene.lights));
-    if (!program) return;
+    if (!program) return std::vector<QRect>(objects.size());
     program->bind();
     setLights(*program, scene.lights);
     const glm::mat4 worldToClip =
         state.camera.projection(pixels.width(), pixels.height()) * state.camera.view();
+    std::vector<QRect> covered;
     for (std::size_t i = 0; i < objects.size(); ++i) {
         const scene::Object& object = scene.objects[objects[i]];
-        drawObject(gl, *program, m_meshes.find(object.mesh), object, worldToClip, i + 1);
+        const GlMeshes::Buffers& buffers = m_meshes.find(object.mesh);
+        covered.push_back(screenBounds(buffers.bounds, worldToClip * object.transform, pixels));
+        if (covered.back().isEmpty()) continue;
+        drawObject(gl, *program, buffers, object, worldToClip, i + 1);
     }
     gl.glBindVertexArray(0);
     program->release();
+    return covered;
 }
 
 void GlGBuffer::release(Gl& gl) {

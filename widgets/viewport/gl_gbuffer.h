@@ -18,8 +18,9 @@ public:
     /// False when the driver refuses it; why is in the log.
     bool initialize(Gl& gl);
     /// Draws these objects of the scene, by index, in their order: the first has id 1. Leaves its framebuffer
-    /// bound.
-    void draw(Gl& gl, const ViewState& state, std::span<const std::size_t> objects, QSize pixels);
+    /// bound. Returns the pixels (y down) that each can cover.
+    std::vector<QRect> draw(Gl& gl, const ViewState& state, std::span<const std::size_t> objects,
+                            QSize pixels);
     /// The GL_TEXTURE_2D_MULTISAMPLE that shaders/common/gbuffer_samples.glsl reads.
     GLuint texture() const { return m_surfaces; }
     int samples() const { return m_samples; }

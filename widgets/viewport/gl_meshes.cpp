@@ -26,6 +26,7 @@ std::vector<scene::Triangle> towardsNormals(const scene::Mesh& mesh) {
 
 GlMeshes::Buffers uploaded(Gl& gl, const scene::Mesh& mesh) {
     GlMeshes::Buffers made;
+    made.bounds = scene::boundsOf(mesh);
     made.indexCount = GLsizei(mesh.triangles.size() * 3);
     gl.glGenVertexArrays(1, &made.vertexArray);
     gl.glGenBuffers(GLsizei(made.buffers.size()), made.buffers.data());

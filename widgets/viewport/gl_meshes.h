@@ -16,6 +16,7 @@ public:
         GLuint vertexArray = 0;
         std::array<GLuint, 3> buffers{};  ///< positions, normals, indices
         GLsizei indexCount = 0;           ///< 32-bit, triangles
+        scene::Bounds bounds;             ///< object space
     };
 
     /// Uploads what the scene shows for the first time, frees what it shows no longer.

@@ -1,6 +1,6 @@
 #include "widgets/viewport/gl_paints.h"
 
-#include "widgets/viewport/level_texels.h"
+#include <QtConcurrent>
 
 #include <set>
 
@@ -8,8 +8,11 @@ namespace chiaro::widgets {
 
 namespace {
 
-void uploadLevels(Gl& gl, GLuint texture, const LevelTexels& texels) {
-    gl.glBindTexture(GL_TEXTURE_3D, texture);
+void uploadLevels(Gl& gl, GlPaints::Paint& paint, const LevelTexels& texels) {
+    if (paint.levels == 0) gl.glGenTextures(1, &paint.levels);
+    paint.size = texels.size;
+    paint.levelRange = QVector2D(texels.factor, texels.bias);
+    gl.glBindTexture(GL_TEXTURE_3D, paint.levels);
     gl.glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, texels.size, texels.size, texels.count, 0, GL_RGBA,
                     GL_UNSIGNED_BYTE, texels.texels.data());
     gl.glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -34,33 +37,39 @@ void free(Gl& gl, const GlPaints::Paint& paint) {
     gl.glDeleteTextures(1, &paint.gradient);
 }
 
-void syncGradient(Gl& gl, GlPaints::Paint& paint, gradient::Gradient& uploaded,
-                  const gradient::Gradient& gradient) {
-    if (paint.gradient != 0 && uploaded == gradient) return;
-    if (paint.gradient == 0) gl.glGenTextures(1, &paint.gradient);
-    uploadGradient(gl, paint.gradient, gradient);
-    const float width = float(gradient.size());
-    paint.gradientSpan = QVector2D((width - 1) / width, 0.5f / width);
-    uploaded = gradient;
-}
-
-void syncLevels(Gl& gl, GlPaints::Paint& paint, std::shared_ptr<const synthesis::LevelStack>& uploaded,
-                const std::shared_ptr<const synthesis::LevelStack>& levels) {
-    if (paint.levels != 0 && uploaded == levels) return;
-    if (paint.levels == 0) gl.glGenTextures(1, &paint.levels);
-    // Without levels a single texel of no difference stands in.
-    const LevelTexels texels = levels && !levels->levels.empty()
-                                   ? levelTexels(*levels)
-                                   : LevelTexels{1, 1, 0, 0, {LevelTexels::Texel{}}};
-    uploadLevels(gl, paint.levels, texels);
-    paint.size = texels.size;
-    paint.levelRange = QVector2D(texels.factor, texels.bias);
-    uploaded = levels;
-}
-
 }  // namespace
 
-void GlPaints::sync(Gl& gl, const ViewState& state) {
+void GlPaints::syncGradient(Gl& gl, Entry& entry, const gradient::Gradient& gradient) {
+    if (entry.paint.gradient != 0 && entry.gradient == gradient) return;
+    if (entry.paint.gradient == 0) gl.glGenTextures(1, &entry.paint.gradient);
+    uploadGradient(gl, entry.paint.gradient, gradient);
+    const float width = float(gradient.size());
+    entry.paint.gradientSpan = QVector2D((width - 1) / width, 0.5f / width);
+    entry.gradient = gradient;
+}
+
+void GlPaints::startLevels(Gl& gl, Entry& entry, const std::shared_ptr<const synthesis::LevelStack>& levels) {
+    const bool isNew = entry.paint.levels == 0;
+    if (!isNew && entry.levels == levels) return;
+    entry.levels = levels;
+    entry.texels = {};
+    const bool textured = levels && !levels->levels.empty();
+    // Without levels a single texel of no difference stands in.
+    if (isNew || !textured) uploadLevels(gl, entry.paint, {1, 1, 0, 0, {LevelTexels::Texel{}}});
+    if (!textured) return;
+    entry.texels =
+        QtConcurrent::run([levels] { return std::make_shared<const LevelTexels>(levelTexels(*levels)); });
+}
+
+bool GlPaints::finishLevels(Gl& gl, Entry& entry, Pending pending) {
+    if (!entry.texels.isValid()) return true;
+    if (pending == Pending::Show && !entry.texels.isFinished()) return false;
+    uploadLevels(gl, entry.paint, *entry.texels.result());
+    entry.texels = {};
+    return true;
+}
+
+bool GlPaints::sync(Gl& gl, const ViewState& state, Pending pending) {
     std::set<int> worn;
     for (const scene::Object& object : state.scene().objects) worn.insert(object.sample);
     std::erase_if(m_entries, [&](const auto& entry) {
@@ -68,11 +77,14 @@ void GlPaints::sync(Gl& gl, const ViewState& state) {
         free(gl, entry.second.paint);
         return true;
     });
+    bool complete = true;
     for (const int sample : worn) {
         Entry& entry = m_entries[sample];
-        syncGradient(gl, entry.paint, entry.gradient, state.paint(sample).gradient);
-        syncLevels(gl, entry.paint, entry.levels, state.paint(sample).levels);
+        syncGradient(gl, entry, state.paint(sample).gradient);
+        startLevels(gl, entry, state.paint(sample).levels);
+        complete &= finishLevels(gl, entry, pending);
     }
+    return complete;
 }
 
 void GlPaints::release(Gl& gl) {

@@ -1,14 +1,18 @@
 #pragma once
 
 #include "widgets/viewport/gl_support.h"
+#include "widgets/viewport/level_texels.h"
 #include "widgets/viewport/view_state.h"
+
+#include <QFuture>
 
 #include <map>
 
 namespace chiaro::widgets {
 
 /// The paints that a scene's objects wear, as textures: uploaded when they are others than in the last frame;
-/// a new gradient alone costs its W texels. Every call needs the context current.
+/// a new gradient alone costs its W texels. Levels are made into texels by another thread, so that a large
+/// stack does not hold up the window. Every call needs the context current.
 class GlPaints {
 public:
     struct Paint {
@@ -20,16 +24,27 @@ public:
             gradientSpan;  ///< L * x + y is the coordinate in it: 0 the first texel's centre, 1 the last's
     };
 
-    void sync(Gl& gl, const ViewState& state);
+    /// What to do about levels that are not texels yet.
+    enum class Pending {
+        Show,  ///< go on with what there was: the levels before, or none
+        Await
+    };
+    /// False while levels are on their way: call it again soon.
+    bool sync(Gl& gl, const ViewState& state, Pending pending);
     const Paint& find(int sample) const { return m_entries.at(sample).paint; }
     void release(Gl& gl);
 
 private:
     struct Entry {
         Paint paint;
-        std::shared_ptr<const synthesis::LevelStack> levels;  ///< as uploaded
+        std::shared_ptr<const synthesis::LevelStack> levels;  ///< as uploaded, or on their way
+        QFuture<std::shared_ptr<const LevelTexels>> texels;   ///< valid while they are
         gradient::Gradient gradient;                          ///< as uploaded
     };
+
+    static void syncGradient(Gl& gl, Entry& entry, const gradient::Gradient& gradient);
+    static void startLevels(Gl& gl, Entry& entry, const std::shared_ptr<const synthesis::LevelStack>& levels);
+    static bool finishLevels(Gl& gl, Entry& entry, Pending pending);
 
     std::map<int, Entry> m_entries;
 };

@@ -3,6 +3,8 @@
 #include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
+#include <QScopeGuard>
+#include <QTimer>
 
 namespace chiaro::widgets {
 
@@ -39,16 +41,19 @@ void GlView::paintGL() {
     timer.start();
     const QSize pixels = size() * devicePixelRatioF();
     m_state.follow(pixels);
-    m_drawer.draw(*m_gl, m_state, pixels, defaultFramebufferObject());
+    const bool complete = m_drawer.draw(*m_gl, m_state, pixels, defaultFramebufferObject(), m_pending);
     // So that the figure is the frame's and not the queue's; the window has nothing else to draw meanwhile.
     m_gl->glFinish();
     const double milliseconds = double(timer.nsecsElapsed()) * 1e-6;
+    if (!complete) QTimer::singleShot(10, this, qOverload<>(&QWidget::update));
     // Told later: who listens may do what must not be done while painting.
     QMetaObject::invokeMethod(
         this, [this, milliseconds] { Q_EMIT frameDrawn(milliseconds); }, Qt::QueuedConnection);
 }
 
 QImage GlView::picture() {
+    m_pending = GlPaints::Pending::Await;
+    const auto showAgain = qScopeGuard([this] { m_pending = GlPaints::Pending::Show; });
     QImage image = grabFramebuffer().convertToFormat(QImage::Format_RGB32);
     image.setDevicePixelRatio(1);
     return image;

@@ -35,6 +35,7 @@ private:
     ViewState& m_state;
     Gl* m_gl = nullptr;  ///< the current context's, null when it can't draw
     ViewAlignedDrawer m_drawer;
+    GlPaints::Pending m_pending = GlPaints::Pending::Show;
 };
 
 }  // namespace chiaro::widgets

@@ -21,7 +21,7 @@ struct LevelTexels {
     std::vector<Texel> texels;  ///< level after level, row after row, top first
 };
 
-/// The texels of a stack of equal square levels; parallel, deterministic.
+/// The texels of a stack of equal square levels. Safe from any thread.
 LevelTexels levelTexels(const synthesis::LevelStack& stack);
 
 }  // namespace chiaro::widgets

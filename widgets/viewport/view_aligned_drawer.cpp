@@ -122,22 +122,25 @@ void ViewAlignedDrawer::shade(Gl& gl, const Placed& representative, const Pass& 
     program->setUniformValue("objectRange", QVector2D(float(pass.firstId), float(pass.lastId)));
     program->setUniformValue("gradientSpan", paint.gradientSpan);
     program->setUniformValue("levelRange", paint.levelRange);
+    gl.glScissor(pass.covered.x(), pass.covered.y(), pass.covered.width(), pass.covered.height());
     gl.glDrawArrays(GL_TRIANGLES, 0, 3);
     program->release();
 }
 
-void ViewAlignedDrawer::draw(Gl& gl, const ViewState& state, QSize pixels, GLuint target) {
-    m_paints.sync(gl, state);
+bool ViewAlignedDrawer::draw(Gl& gl, const ViewState& state, QSize pixels, GLuint target,
+                             GlPaints::Pending pending) {
+    const bool complete = m_paints.sync(gl, state, pending);
     const std::vector<Placed> objects = placedObjects(state, pixels.height());
     std::vector<std::size_t> order;
     for (const Placed& object : objects) order.push_back(object.object);
-    m_gbuffer.draw(gl, state, order, pixels);
+    const std::vector<QRect> covered = m_gbuffer.draw(gl, state, order, pixels);
 
     gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
     gl.glViewport(0, 0, pixels.width(), pixels.height());
     gl.glDisable(GL_DEPTH_TEST);
     gl.glClearColor(state.background.r, state.background.g, state.background.b, 1);
     gl.glClear(GL_COLOR_BUFFER_BIT);
+    gl.glEnable(GL_SCISSOR_TEST);
     gl.glEnable(GL_BLEND);
     gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     gl.glBindVertexArray(m_noAttributes);
@@ -145,16 +148,21 @@ void ViewAlignedDrawer::draw(Gl& gl, const ViewState& state, QSize pixels, GLuin
     gl.glActiveTexture(GL_TEXTURE0 + surfaceUnit);
     gl.glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, m_gbuffer.texture());
     for (std::size_t first = 0; first < objects.size();) {
-        std::size_t end = first + 1;
-        while (end < objects.size() && objects[end].sample == objects[first].sample &&
-               objects[end].filter == objects[first].filter)
-            ++end;
-        shade(gl, objects[first], {first + 1, end});
+        std::size_t end = first;
+        QRect together;
+        for (; end < objects.size() && objects[end].sample == objects[first].sample &&
+               objects[end].filter == objects[first].filter;
+             ++end)
+            together |= covered[end];
+        together.moveTop(pixels.height() - together.top() - together.height());
+        if (!together.isEmpty()) shade(gl, objects[first], {first + 1, end, together});
         first = end;
     }
     gl.glDisable(GL_BLEND);
+    gl.glDisable(GL_SCISSOR_TEST);
     gl.glBindVertexArray(0);
     gl.glActiveTexture(GL_TEXTURE0);
+    return complete;
 }
 
 }  // namespace chiaro::widgets

@@ -14,8 +14,10 @@ class ViewAlignedDrawer {
 public:
     /// False when the driver refuses; why is in the log.
     bool initialize(Gl& gl);
-    /// Fills the framebuffer `target` of so many pixels.
-    void draw(Gl& gl, const ViewState& state, QSize pixels, GLuint target);
+    /// Fills the framebuffer `target` of so many pixels. False when it shows a paint that another is about to
+    /// take the place of: draw again soon.
+    bool draw(Gl& gl, const ViewState& state, QSize pixels, GLuint target,
+              GlPaints::Pending pending = GlPaints::Pending::Await);
     void release(Gl& gl);
 
 private:
@@ -32,10 +34,11 @@ private:
         Filter filter;
         std::array<glm::vec4, 3> texels{};
     };
-    /// Objects shaded in one pass: their ids in the G-buffer.
+    /// Objects shaded in one pass.
     struct Pass {
-        std::size_t firstId = 1;
+        std::size_t firstId = 1;  ///< in the G-buffer
         std::size_t lastId = 0;
+        QRect covered;  ///< pixels that they can cover, y up
     };
 
     Placed placed(const ViewState& state, std::size_t object, int height) const;
