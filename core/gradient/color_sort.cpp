@@ -9,10 +9,10 @@ namespace {
 /// when its distance along that channel alone is larger than that of the best one.
 class UnusedColumns {
 public:
-    explicit UnusedColumns(const Gradient& averages) {
+    explicit UnusedColumns(const ExactColors& averages) {
         m_axis = widestChannel(averages);
         for (int column = 1; column + 1 < int(averages.size()); ++column)
-            m_entries.push_back({glm::dvec3(averages[std::size_t(column)]), column});
+            m_entries.push_back({averages[std::size_t(column)], column});
         std::sort(m_entries.begin(), m_entries.end(), [this](const Entry& a, const Entry& b) {
             return std::pair(a.color[m_axis], a.column) < std::pair(b.color[m_axis], b.column);
         });
@@ -45,13 +45,13 @@ private:
         std::size_t index;
     };
 
-    static int widestChannel(const Gradient& averages) {
-        glm::vec3 low = averages.front(), high = averages.front();
-        for (const glm::vec3& color : averages) {
+    static int widestChannel(const ExactColors& averages) {
+        glm::dvec3 low = averages.front(), high = averages.front();
+        for (const glm::dvec3& color : averages) {
             low = glm::min(low, color);
             high = glm::max(high, color);
         }
-        const glm::vec3 range = high - low;
+        const glm::dvec3 range = high - low;
         return range.r >= range.g && range.r >= range.b ? 0 : range.g >= range.b ? 1 : 2;
     }
 
@@ -59,14 +59,20 @@ private:
     bool consider(std::size_t index, glm::dvec3 middle, Best& best) const {
         const Entry& entry = m_entries[index];
         const glm::dvec3 difference = entry.color - middle;
-        if (difference[m_axis] * difference[m_axis] > best.squaredDistance) return false;
+        const double rounding = roundingOf(best.squaredDistance);
+        if (difference[m_axis] * difference[m_axis] > best.squaredDistance + rounding) return false;
         if (entry.column < 0) return true;
         const double squaredDistance = glm::dot(difference, difference);
-        const bool nearer = squaredDistance < best.squaredDistance;
-        const bool tied = squaredDistance == best.squaredDistance && best.column > entry.column;
+        const bool nearer = squaredDistance < best.squaredDistance - rounding;
+        const bool tied =
+            std::abs(squaredDistance - best.squaredDistance) <= rounding && best.column > entry.column;
         if (nearer || tied) best = {squaredDistance, entry.column, index};
         return true;
     }
+
+    /// How far the squared distances of two colours that are equally far may lie apart in double: without it,
+    /// rounding would choose between the two sides of the midpoint, which grey strips often make equal.
+    static double roundingOf(double squaredDistance) { return 4e-15 * std::sqrt(squaredDistance); }
 
     void remove(std::size_t index) {
         m_entries[index].column = -1;
@@ -82,7 +88,7 @@ private:
 
 }  // namespace
 
-std::vector<int> sortColumns(const Gradient& averages, double searchScale) {
+std::vector<int> sortColumns(const ExactColors& averages, double searchScale) {
     if (averages.size() < 2) return std::vector<int>(averages.size(), 0);
     UnusedColumns unused(averages);
     std::vector<int> order{0};
@@ -91,7 +97,7 @@ std::vector<int> sortColumns(const Gradient& averages, double searchScale) {
     while (!pending.empty()) {
         const auto [a, b] = pending.back();
         pending.pop_back();
-        const glm::dvec3 colorA(averages[std::size_t(a)]), colorB(averages[std::size_t(b)]);
+        const glm::dvec3 colorA = averages[std::size_t(a)], colorB = averages[std::size_t(b)];
         const glm::dvec3 across = colorA - colorB;
         const double squaredRadius = searchScale * searchScale / 4 * glm::dot(across, across);
         const int c = unused.take((colorA + colorB) / 2.0, squaredRadius);

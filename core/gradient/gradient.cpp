@@ -20,7 +20,7 @@ const ParameterTable<GradientParams>& GradientParams::table() {
     return table;
 }
 
-Gradient columnAverages(const ColorImage& strip) {
+ExactColors columnAverages(const ColorImage& strip) {
     // Both 8-bit and 16-bit levels are whole multiples of this step.
     constexpr double steps = 65535.0 * 64;
     std::vector<glm::i64vec3> sums(std::size_t(strip.width()), glm::i64vec3(0));
@@ -29,11 +29,14 @@ Gradient columnAverages(const ColorImage& strip) {
         for (std::size_t x = 0; x < sums.size(); ++x)
             sums[x] += glm::i64vec3(glm::floor(glm::dvec3(row[x]) * steps + 0.5));
     }
-    Gradient averages(sums.size());
-    std::transform(sums.begin(), sums.end(), averages.begin(), [&](const glm::i64vec3& sum) {
-        return glm::vec3(glm::dvec3(sum) / (steps * strip.height()));
-    });
+    ExactColors averages(sums.size());
+    std::transform(sums.begin(), sums.end(), averages.begin(),
+                   [&](const glm::i64vec3& sum) { return glm::dvec3(sum) / (steps * strip.height()); });
     return averages;
+}
+
+Gradient rounded(const ExactColors& colors) {
+    return Gradient(colors.begin(), colors.end());
 }
 
 glm::vec3 lookUp(const Gradient& gradient, double u) {
@@ -96,10 +99,11 @@ ColorImage difference(const ColorImage& strip, const Gradient& gradient) {
 Separation separate(const ColorImage& strip, const GradientParams& params, const Task& task) {
     GradientParams::table().check(params);
     Separation result;
-    result.averages = columnAverages(strip);
+    const ExactColors averages = columnAverages(strip);
+    result.averages = rounded(averages);
     task.report(0.2);
     task.checkpoint();
-    result.order = sortColumns(result.averages, params.searchScale);
+    result.order = sortColumns(averages, params.searchScale);
     Gradient kept;
     for (const int column : result.order) kept.push_back(result.averages[std::size_t(column)]);
     result.sorted = resample(kept, strip.width());

@@ -13,14 +13,20 @@ namespace chiaro::gradient {
 /// W colours along the strip, dark end first; display-referred RGB in [0, 1].
 using Gradient = std::vector<glm::vec3>;
 
+/// Column averages as the sort compares them: single precision would decide ties by its rounding.
+using ExactColors = std::vector<glm::dvec3>;
+
 /// Mean RGB of each column (§3.1). Summed exactly, in whole steps of 1/64 of a 16-bit level, so that columns
 /// of equal colour are equal to the last bit.
-Gradient columnAverages(const ColorImage& strip);
+ExactColors columnAverages(const ColorImage& strip);
+
+/// The same colours in single precision.
+Gradient rounded(const ExactColors& colors);
 
 /// The gradient sort (§3.1): the column indices it keeps, in order; first 0, last W - 1. `searchScale` in [1,
 /// 4] enlarges the sphere that is searched around the midpoint. Distances are computed in double; a column on
 /// the sphere is outside it; ties go to the smaller column. Takes 0.1 s at worst for 8192 columns.
-std::vector<int> sortColumns(const Gradient& averages, double searchScale);
+std::vector<int> sortColumns(const ExactColors& averages, double searchScale);
 
 /// The colours resampled linearly to `count`, end on end.
 Gradient resample(const Gradient& colors, int count);

@@ -16,6 +16,9 @@ std::filesystem::path resource(const std::string& relative);
 /// Real meshes, scans and broken files that lie beside the project on some machines and are never part of it.
 std::filesystem::path sharedData();
 bool haveSharedData();
+/// The real samples whose size is still the one that the data's own list, SOURCES.md, gives; the others are
+/// damaged and are named on stderr.
+std::vector<std::filesystem::path> intactSamples();
 /// Regular files right inside a folder, sorted by name.
 std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder);
 

@@ -9,7 +9,7 @@ namespace chiaro::test {
 /// The gradient sort (§3.1) word for word: recursive, looking at every column each time.
 class LiteralSort {
 public:
-    LiteralSort(const gradient::Gradient& averages, double searchScale)
+    LiteralSort(const gradient::ExactColors& averages, double searchScale)
         : m_averages(averages), m_searchScale(searchScale), m_used(averages.size(), false) {}
 
     std::vector<int> operator()() {
@@ -30,7 +30,8 @@ private:
         for (int c = 0; c < int(m_averages.size()); ++c) {
             if (m_used[std::size_t(c)]) continue;
             const double distance = glm::length(glm::dvec3(m_averages[std::size_t(c)]) - middle);
-            if (distance >= radius || (closest >= 0 && distance >= closestDistance)) continue;
+            // Nearer by more than double's rounding, or else it is a tie.
+            if (distance > radius - 1e-14 || (closest >= 0 && distance > closestDistance - 1e-14)) continue;
             closest = c;
             closestDistance = distance;
         }
@@ -43,7 +44,7 @@ private:
         sort(closest, b);
     }
 
-    const gradient::Gradient& m_averages;
+    const gradient::ExactColors m_averages;
     double m_searchScale;
     std::vector<bool> m_used;
     std::vector<int> m_order;

@@ -191,7 +191,7 @@ TEST(Levels, LevelsOfOneTextureDiffer) {
 
 TEST(Levels, RealStripsTileAndKeepTheirContrast) {
     CHIARO_NEEDS_SHARED_DATA();
-    for (const char* name : {"wc_blue_19.png", "charcoal_mass_gray.png", "oil_jungfrau.png"}) {
+    for (const char* name : {"wc_green_21.png", "charcoal_mass_gray.png", "oil_jungfrau.png"}) {
         const ColorImage strip = sample::makeStrip(sample::readScan(test::sharedData() / "samples" / name));
         const gradient::Separation separation = gradient::separate(strip);
         const LevelStack stack = makeLevels(strip, separation.gradient, levelsOf(8, 256, Tiling::Seam));
