@@ -186,6 +186,9 @@ Model readModel(const fs::path& path, const Task& task) {
     }
     const Topology topology = topologyOf(raw.objects.size() == 1 ? raw.objects[0] : merged(raw.objects));
     model.degenerateFaces = topology.degenerateFaces;
+    if (model.degenerateFaces == raw.triangles)
+        throw source.error("has no face with an area",
+                           "a mesh with at least one real triangle would be shaded");
     model.nonManifoldEdges = topology.nonManifoldEdges;
     model.boundaryEdges = topology.boundaryEdges;
     model.faces = raw.triangles;

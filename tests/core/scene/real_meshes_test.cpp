@@ -89,7 +89,6 @@ TEST(RealMeshes, BrokenFilesGiveAMessageOrAValidMeshAtOnce) {
     // Unusual, yet whole: these must load.
     const std::map<std::string, std::size_t> whole{{"box_UTF16BE.obj", 12},
                                                    {"deg_faces.obj", 4},
-                                                   {"degenerate_mesh.obj", 1},
                                                    {"nancolor.obj", 12},
                                                    {"notenoughindices.obj", 1}};
     for (const fs::path& path : test::filesIn(test::sharedData() / "broken" / "meshes")) {
