@@ -76,7 +76,8 @@ void ProjectSource::addSceneFlags(CLI::App& command) {
             },
             "NAME=SAMPLE: the object of this name wears another sample; may be repeated")
         ->check([](const std::string& text) {
-            return text.find('=') == std::string::npos ? "--object: write NAME=SAMPLE" : std::string();
+            return text.find('=') == std::string::npos ? "is \"" + text + "\"; write NAME=SAMPLE"
+                                                       : std::string();
         });
     command.add_option_function<std::string>(
         "--light",
@@ -149,8 +150,9 @@ project::Project ProjectSource::load() const {
     project::Project project;
     if (!m_path.empty()) project = project::readProject(m_path);
     for (const Override& apply : m_overrides) apply(project);
-    if (project.mesh.empty()) throw Error("mesh", "none is given", "name a project or --mesh FILE");
-    if (project.samples.empty()) throw Error("sample", "none is given", "name a project or --sample STRIP");
+    if (project.mesh.empty()) throw CLI::ValidationError("no mesh is given; name a project or --mesh FILE");
+    if (project.samples.empty())
+        throw CLI::ValidationError("no sample is given; name a project or --sample STRIP");
     return project;
 }
 
@@ -173,11 +175,15 @@ glm::ivec2 sizeFrom(const std::string& flag, const std::string& text) {
     glm::ivec2 size(0);
     int read = 0;
     const int fields = std::sscanf(text.c_str(), "%dx%d%n", &size.x, &size.y, &read);
-    const bool valid = fields == 2 && std::size_t(read) == text.size() && size.x >= 1 && size.y >= 1 &&
-                       size.x <= 16384 && size.y <= 16384;
+    constexpr std::int64_t most =
+        64 << 20;  // pixels, which take about 75 bytes each until the picture is written
+    const bool valid = fields == 2 && std::int64_t(size.x) * size.y <= most &&
+                       std::size_t(read) == text.size() && size.x >= 1 && size.y >= 1 && size.x <= 16384 &&
+                       size.y <= 16384;
     if (!valid)
         throw CLI::ValidationError(
-            fmt::format("{}: is \"{}\"; write WIDTHxHEIGHT, each 1..16384 px", flag, text));
+            fmt::format("{}: is \"{}\"; write WIDTHxHEIGHT, each 1..16384 px and both at most 64 megapixels",
+                        flag, text));
     return size;
 }
 

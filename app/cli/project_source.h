@@ -15,6 +15,7 @@ public:
 
     /// The project with the flags applied. Throws Error.
     project::Project load() const;
+    const std::filesystem::path& path() const { return m_path; }
 
 private:
     using Override = std::function<void(project::Project&)>;
@@ -38,7 +39,7 @@ struct LoadedProject {
 /// Reads mesh and samples and synthesises the levels. Throws Error, Cancelled.
 LoadedProject loadProject(project::Project project, const Task& task);
 
-/// "1280x720", each side 1..16384. Throws CLI::ValidationError.
+/// "1280x720", each side 1..16384, 64 megapixels in all. Throws CLI::ValidationError.
 glm::ivec2 sizeFrom(const std::string& flag, const std::string& text);
 
 }  // namespace chiaro::cli

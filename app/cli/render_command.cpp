@@ -35,13 +35,17 @@ struct RenderCommand {
     void run(Session& session) const {
         session.start();
         const glm::ivec2 pixels = sizeFrom("--size", size);
-        if (background != "transparent") colorFromHex(background);
+        if (background != "transparent") usageFrom("--background", [&] { colorFromHex(background); });
         if (!isWritableImage(output))
             throw Error(output.string(), "has no extension of a picture", "choose .png, .exr or .tif");
+        const project::Project project = source.load();
+        std::vector<std::filesystem::path> inputs{project.mesh, source.path()};
+        for (const project::Sample& sample : project.samples) inputs.push_back(sample.scan);
+        refuseOverwriting(inputs, {output});
         const Task task = session.task("render");
         Seconds seconds;
         Stopwatch stopwatch;
-        LoadedProject loaded = loadProject(source.load(), task.part(0, 0.7));
+        LoadedProject loaded = loadProject(project, task.part(0, 0.7));
         for (const project::Paint& paint : loaded.paints) seconds.synthesis += paint.levelSeconds;
         seconds.load = stopwatch.lap() - seconds.synthesis;
         const scene::RayScene rays(loaded.scene, task.part(0.7, 0.75));
@@ -135,7 +139,8 @@ void addRenderCommand(CLI::App& root, Session& session) {
     state->source.addTo(*command);
     command->add_option("-o,--output", state->output, "Picture to write: .png, .exr (scene-linear) or .tif")
         ->required();
-    command->add_option("--size", state->size, "WIDTHxHEIGHT, each 1..16384 px (default 1024x1024)");
+    command->add_option("--size", state->size,
+                        "WIDTHxHEIGHT, each 1..16384 px, together at most 64 megapixels (default 1024x1024)");
     command->add_option("--background", state->background, "#rrggbb or transparent (default #ffffff)");
     command->add_option("--aux", state->auxiliary,
                         "Folder for light.exr, id.png, depth.exr, normal.exr and texture.exr of this "

@@ -62,6 +62,7 @@ struct GradientCommand {
 
     void run(Session& session) const {
         session.start();
+        refuseOverwriting({source.path()}, {output, averages, order});
         const gradient::Separation separation =
             gradient::separate(source.readStrip(), source.sample().gradient, session.task("separating"));
         gradient::Gradient kept;
@@ -98,6 +99,7 @@ void addTexture(CLI::App& parent, Session& session) {
     session.addCommonFlags(*command);
     command->callback([source, output, &session] {
         session.start();
+        refuseOverwriting({source->path()}, {*output});
         if (output->extension() != ".exr")
             throw Error(output->string(), "can't hold values below 0", "give it the extension .exr");
         const gradient::Separation separation =
@@ -117,8 +119,11 @@ struct RecolorCommand {
 
     void run(Session& session) const {
         session.start();
-        const auto path = gradient::parseColorPath(
-            stops, space == "oklab" ? gradient::ColorPath::Space::Oklab : gradient::ColorPath::Space::Rgb);
+        refuseOverwriting({source.path()}, {output});
+        const auto mixing =
+            space == "oklab" ? gradient::ColorPath::Space::Oklab : gradient::ColorPath::Space::Rgb;
+        gradient::ColorPath path;
+        usageFrom("--stops", [&] { path = gradient::parseColorPath(stops, mixing); });
         const gradient::Separation separation =
             gradient::separate(source.readStrip(), source.sample().gradient, session.task("separating"));
         const ColorImage result =

@@ -21,7 +21,7 @@ void SampleSource::addTo(CLI::App& command) {
 }
 
 ColorImage SampleSource::readStrip() const {
-    return sample::makeStrip(sample::readScan(m_sample.scan), m_sample.strip);
+    return sample::readStrip(m_sample.scan, m_sample.strip);
 }
 
 nlohmann::json SampleSource::parameters() const {

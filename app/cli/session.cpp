@@ -16,7 +16,8 @@ void Session::addCommonFlags(CLI::App& command) {
     command.add_flag("--json", flags.json, "Print one JSON object on stdout instead of text");
     command.add_flag("--quiet", flags.quiet, "Print nothing but errors");
     if (!command.get_option_no_throw("--seed"))
-        command.add_option("--seed", flags.seed, "Seed of every random choice (default 1)");
+        command.add_option("--seed", flags.seed, "Seed of every random choice (default 1)")
+            ->check(CLI::Range(0.0, 0x1p53));
     command
         .add_option("--threads", flags.threads,
                     "Threads; the result never depends on them (default: all cores)")
@@ -55,10 +56,10 @@ void Session::finish(const nlohmann::json& json, const std::string& text) {
 }
 
 void addParameterFlags(CLI::App& command, std::span<const ParameterSpec> specs,
-                       std::span<const double> defaults, std::function<void(std::size_t, double)> assign,
-                       const std::string& prefix) {
+                       std::span<const double> defaults,
+                       const std::function<void(std::size_t, double)>& assign, const std::string& prefix) {
     for (std::size_t i = 0; i < specs.size(); ++i) {
-        const ParameterSpec spec = specs[i];
+        const ParameterSpec& spec = specs[i];
         const std::string help =
             fmt::format("{} ({}; default {})", spec.tooltip, spec.rangeText(), spec.valueText(defaults[i]));
         command
@@ -90,6 +91,30 @@ std::vector<float> numbersFrom(const std::string& flag, const std::string& text,
         throw CLI::ValidationError(
             fmt::format("{}: is \"{}\"; write {} numbers with commas between them", flag, text, count));
     return numbers;
+}
+
+void usageFrom(const std::string& flag, const std::function<void()>& check) {
+    try {
+        check();
+    } catch (const Error& error) {
+        throw CLI::ValidationError(flag + ": " + error.what());
+    }
+}
+
+void refuseOverwriting(const std::vector<std::filesystem::path>& inputs,
+                       const std::vector<std::filesystem::path>& outputs) {
+    const auto same = [](const std::filesystem::path& a, const std::filesystem::path& b) {
+        std::error_code ignored;
+        return !a.empty() && !b.empty() &&
+               std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
+    };
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const auto is = [&](const std::filesystem::path& other) { return same(outputs[i], other); };
+        if (std::any_of(inputs.begin(), inputs.end(), is))
+            throw Error(outputs[i].string(), "is an input too", "write to another file");
+        if (std::any_of(outputs.begin(), outputs.begin() + std::ptrdiff_t(i), is))
+            throw Error(outputs[i].string(), "is to hold two outputs", "give each a file of its own");
+    }
 }
 
 ImageMetadata pictureMetadata(const std::string& command, const nlohmann::json& parameters) {

@@ -48,7 +48,7 @@ private:
 /// the parse.
 void addParameterFlags(CLI::App& command, std::span<const ParameterSpec> specs,
                        std::span<const double> defaults,
-                       std::function<void(std::size_t index, double value)> assign,
+                       const std::function<void(std::size_t index, double value)>& assign,
                        const std::string& prefix = {});
 
 template <class Params>
@@ -63,6 +63,14 @@ void addParameterFlags(CLI::App& command, Params& params) {
 
 /// "1,2,3" as numbers. Throws CLI::ValidationError naming the flag when there are not exactly `count`.
 std::vector<float> numbersFrom(const std::string& flag, const std::string& text, std::size_t count);
+
+/// Runs a check of a flag's value; its Error becomes a CLI::ValidationError naming the flag.
+void usageFrom(const std::string& flag, const std::function<void()>& check);
+
+/// Throws Error when an output is one of the inputs, or when two outputs are one file; empty paths don't
+/// count.
+void refuseOverwriting(const std::vector<std::filesystem::path>& inputs,
+                       const std::vector<std::filesystem::path>& outputs);
 
 /// What every picture that a command writes carries: version, command, parameters. Nothing that may differ
 /// between runs that make the same picture (threads, output names).

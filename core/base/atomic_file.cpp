@@ -45,6 +45,10 @@ AtomicFile::AtomicFile(fs::path destination) : m_destination(std::move(destinati
     if (m_destination.has_parent_path()) fs::create_directories(m_destination.parent_path(), error);
     if (error) throw writeError(m_destination, error.message());
     if (fs::is_directory(m_destination, error)) throw writeError(m_destination, "it is a folder");
+    const fs::perms anyWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+    if (fs::exists(m_destination, error) &&
+        (fs::status(m_destination, error).permissions() & anyWrite) == fs::perms::none)
+        throw writeError(m_destination, "it is marked read-only");
     m_temporary = temporaryBeside(m_destination);
 }
 

@@ -14,6 +14,9 @@ public:
     Error(std::string_view subject, std::string_view problem, std::string_view remedy)
         : std::runtime_error(std::string(subject) + ": " + std::string(problem) + "; " +
                              std::string(remedy)) {}
+    /// Another error told of the file that it lies in: `FILE, SUBJECT: ...`.
+    Error(std::string_view file, const Error& cause)
+        : std::runtime_error(std::string(file) + ", " + cause.what()) {}
 };
 
 }  // namespace chiaro

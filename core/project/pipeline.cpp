@@ -11,7 +11,7 @@ gradient::Gradient shownGradient(const Sample& sample, const gradient::Separatio
 
 Paint preparePaint(const Sample& sample, const synthesis::LevelParams& levels, const Task& task) {
     Paint paint;
-    paint.strip = sample::makeStrip(sample::readScan(sample.scan), sample.strip);
+    paint.strip = sample::readStrip(sample.scan, sample.strip);
     task.checkpoint();
     paint.separation = gradient::separate(paint.strip, sample.gradient, task.part(0, 0.2));
     paint.shown = shownGradient(sample, paint.separation);

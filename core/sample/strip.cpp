@@ -98,4 +98,13 @@ ColorImage makeStrip(const ColorImage& scan, const StripParams& params) {
     return strip;
 }
 
+ColorImage readStrip(const std::filesystem::path& path, const StripParams& params) {
+    const ColorImage scan = readScan(path);
+    try {
+        return makeStrip(scan, params);
+    } catch (const Error& error) {
+        throw Error(path.string(), error);
+    }
+}
+
 }  // namespace chiaro::sample

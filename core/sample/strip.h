@@ -31,4 +31,7 @@ ColorImage readScan(const std::filesystem::path& path);
 /// convex or lies outside.
 ColorImage makeStrip(const ColorImage& scan, const StripParams& params = {});
 
+/// The strip of a scan file: readScan and makeStrip. Throws Error naming the file, whatever is wrong with it.
+ColorImage readStrip(const std::filesystem::path& path, const StripParams& params = {});
+
 }  // namespace chiaro::sample

@@ -157,6 +157,11 @@ TEST(Usage, IsRefusedWithStatus2) {
              {"sample", "info"},
              {"levels", oil, "-o", folder / "l", "--count", "1"},
              {"levels", oil, "-o", folder / "l", "--block", "x"},
+             {"levels", oil, "-o", folder / "l", "--seed", "-1"},
+             {"sample", "info", oil, "--seed", "-1"},
+             {"sample", "recolor", oil, "--stops", "0 #12345", "-o", folder / "r.png"},
+             {"render", "--mesh", skull, "-o", folder / "a.png"},
+             {"render", "--mesh", skull, "--sample", oil, "--size", "16384x16384", "-o", folder / "a.png"},
              {"render", "--mesh", skull, "--sample", oil, "--size", "0x10", "-o", folder / "a.png"},
              {"render", "--mesh", skull, "--sample", oil, "--light", "0,0,0", "-o", folder / "a.png"},
              {"render", "--mesh", skull, "--sample", oil, "--camera", "0,91,1", "-o", folder / "a.png"},
@@ -177,19 +182,50 @@ TEST(BadInput, IsOneSentenceStatus1AndNoOutput) {
              {"sample", "info", folder / "missing.png"},
              {"sample", "gradient", folder / "empty.png", "-o", folder / "out/g.csv"},
              {"sample", "texture", oil, "-o", folder / "out/d.png"},
-             {"sample", "recolor", oil, "--stops", "0 #12345", "-o", folder / "out/r.png"},
              {"sample", "recolor", oil, "--stops", "0 #123456", "-o", folder / "out/r.doc"},
              {"levels", folder / "empty.png", "-o", folder / "out"},
              {"render", "--mesh", folder / "empty.obj", "--sample", oil, "-o", folder / "out/a.png"},
              {"render", "--mesh", skull, "--sample", folder / "empty.png", "-o", folder / "out/a.png"},
              {"render", folder / "missing.chiaro", "-o", folder / "out/a.png"},
-             {"render", "--mesh", skull, "-o", folder / "out/a.png"},
              {"render", "--mesh", skull, "--sample", oil, "-o", folder / "out/a.doc"}}) {
         const Outcome outcome = chiaro(arguments);
         EXPECT_EQ(outcome.status, 1) << arguments.back() << outcome.error;
         expectOneSentence(outcome);
     }
     EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST(BadInput, AnInputIsNeverOverwritten) {
+    const TemporaryFolder folder;
+    const std::filesystem::path strip = folder / "strip.png";
+    std::filesystem::copy_file(oil, strip);
+    const std::string before = readFile(strip, 1 << 24);
+    std::filesystem::create_directory(folder / "sub");
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+             {"sample", "gradient", strip, "-o", strip},
+             {"sample", "gradient", strip, "-o", folder / "sub/../strip.png"},
+             {"sample", "gradient", strip, "-o", folder / "g.csv", "--averages", folder / "g.csv"},
+             {"sample", "recolor", strip, "--stops", "0 #000000, 1 #ffffff", "-o", strip},
+             {"render", "--mesh", skull, "--sample", strip, "-o", strip}}) {
+        const Outcome outcome = chiaro(arguments);
+        EXPECT_EQ(outcome.status, 1) << arguments[1];
+        expectOneSentence(outcome);
+    }
+    EXPECT_EQ(readFile(strip, 1 << 24), before);
+    std::filesystem::permissions(strip, std::filesystem::perms::owner_read);
+    const Outcome outcome =
+        chiaro({"sample", "recolor", oil, "--stops", "0 #000000, 1 #ffffff", "-o", strip});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.error.find("read-only"), std::string::npos) << outcome.error;
+    EXPECT_EQ(readFile(strip, 1 << 24), before);
+}
+
+TEST(BadInput, ASampleThatIsTooSmallIsNamed) {
+    const TemporaryFolder folder;
+    writeImage(folder / "dot.png", ColorImage(1, 1));
+    const Outcome outcome = chiaro({"sample", "info", folder / "dot.png"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.error.find("dot.png"), std::string::npos) << outcome.error;
 }
 
 TEST(BadInput, RealBrokenFilesNeverCrashTheProgram) {
