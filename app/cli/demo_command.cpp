@@ -97,7 +97,8 @@ private:
         const scene::GBuffer gbuffer = scene::castGBuffer(
             rays, loaded.scene.lights, project::cameraFor(loaded.project, loaded.scene), 1280, 960);
         const methods::Frame frame =
-            project::renderFrame(loaded.project, loaded.scene, loaded.paints, gbuffer);
+            project::renderFrame(loaded.project, project::wornPaints(loaded.scene, loaded.paints), gbuffer)
+                .frame;
         add("demo.png", "The demo project: every object in a paint of its own",
             methods::over(frame.picture, glm::vec3(1)));
     }
@@ -129,7 +130,8 @@ private:
 
     void paintMesh(const View& view, const fs::path& mesh, const fs::path& sample,
                    const project::Paint& paint) {
-        const methods::Frame frame = project::renderFrame(view.project, view.scene, {paint}, view.gbuffer);
+        const project::WornPaints worn(view.scene.objects.size(), &paint);
+        const methods::Frame frame = project::renderFrame(view.project, worn, view.gbuffer).frame;
         add(fmt::format("{}-{}.png", mesh.stem().string(), sample.stem().string()),
             fmt::format("{} in {}", mesh.stem().string(), sample.stem().string()),
             methods::over(frame.picture, glm::vec3(1)));

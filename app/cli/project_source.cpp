@@ -1,6 +1,7 @@
 #include "app/cli/project_source.h"
 
 #include "core/base/error.h"
+#include "core/project/render_method.h"
 #include "core/scene/mesh_io.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -112,48 +113,67 @@ void ProjectSource::addSceneFlags(CLI::App& command) {
 }
 
 template <class Params>
-void ProjectSource::addOverrides(CLI::App& command, Params& (*member)(project::Project&),
+void ProjectSource::addOverrides(CLI::App& command, std::vector<Params& (*)(project::Project&)> members,
                                  const std::string& prefix) {
     const ParameterTable<Params>& table = Params::table();
     addParameterFlags(
         command, table.specs(), table.values(Params()),
-        [this, member, &table](std::size_t index, double value) {
-            m_overrides.push_back([member, &table, index, value](project::Project& project) {
-                std::vector<double> values = table.values(member(project));
-                values[index] = value;
-                table.assign(member(project), values);
+        [this, members, &table](std::size_t index, double value) {
+            m_overrides.push_back([members, &table, index, value](project::Project& project) {
+                for (const auto member : members) {
+                    std::vector<double> values = table.values(member(project));
+                    values[index] = value;
+                    table.assign(member(project), values);
+                }
             });
         },
         prefix);
 }
 
 void ProjectSource::addMethodFlags(CLI::App& command) {
+    using project::Project;
+    std::vector<std::string> keys;
+    for (const project::RenderMethod& method : project::renderMethods()) keys.push_back(method.key);
     command
         .add_option_function<std::string>(
             "--method",
             [this](const std::string& method) {
-                m_overrides.push_back([method](project::Project& project) { project.method = method; });
+                m_methodGiven = true;
+                m_overrides.push_back([method](Project& project) { project.method = method; });
             },
-            "How the paint is laid on (view-aligned)")
-        ->check(CLI::IsMember({"view-aligned"}));
+            fmt::format("How the paint is laid on ({}; default {})", fmt::join(keys, ", "), Project().method))
+        ->check(CLI::IsMember(keys));
     addOverrides<methods::ViewAlignedParams>(
-        command,
-        +[](project::Project& project) -> methods::ViewAlignedParams& { return project.viewAligned; });
+        command, {[](Project& project) -> methods::ViewAlignedParams& { return project.viewAligned; }});
+    addOverrides<methods::ImageBasedParams>(
+        command, {[](Project& project) -> methods::ImageBasedParams& { return project.imageBased; }});
     addOverrides<synthesis::LevelParams>(
-        command, +[](project::Project& project) -> synthesis::LevelParams& { return project.levels; },
-        "level-");
+        command, {[](Project& project) -> synthesis::LevelParams& { return project.levels; }}, "level-");
+    // One set of flags for whichever method quilts.
     addOverrides<synthesis::QuiltParams>(
-        command, +[](project::Project& project) -> synthesis::QuiltParams& { return project.levels.quilt; });
+        command, {[](Project& project) -> synthesis::QuiltParams& { return project.levels.quilt; },
+                  [](Project& project) -> synthesis::QuiltParams& { return project.imageBased.quilt; }});
 }
 
-project::Project ProjectSource::load() const {
+project::Project ProjectSource::load(Subject subject) const {
     project::Project project;
     if (!m_path.empty()) project = project::readProject(m_path);
+    if (subject == Subject::Guide) project.objects.clear();
     for (const Override& apply : m_overrides) apply(project);
-    if (project.mesh.empty()) throw CLI::ValidationError("no mesh is given; name a project or --mesh FILE");
+    if (subject == Subject::Mesh && project.mesh.empty())
+        throw CLI::ValidationError("no mesh is given; name a project or --mesh FILE");
     if (project.samples.empty())
         throw CLI::ValidationError("no sample is given; name a project or --sample STRIP");
     return project;
+}
+
+std::vector<project::Paint> preparePaints(const project::Project& project, const Task& task) {
+    std::vector<project::Paint> paints;
+    const double share = 1 / double(project.samples.size());
+    for (std::size_t i = 0; i < project.samples.size(); ++i)
+        paints.push_back(
+            project::preparePaint(project, i, task.part(share * double(i), share * double(i + 1))));
+    return paints;
 }
 
 LoadedProject loadProject(project::Project project, const Task& task) {
@@ -163,11 +183,7 @@ LoadedProject loadProject(project::Project project, const Task& task) {
     std::vector<std::shared_ptr<const scene::Mesh>> meshes;
     for (const scene::Mesh& mesh : model.meshes) meshes.push_back(std::make_shared<const scene::Mesh>(mesh));
     loaded.scene = project::makeScene(loaded.project, meshes);
-    const double share = 0.8 / double(loaded.project.samples.size());
-    for (std::size_t i = 0; i < loaded.project.samples.size(); ++i)
-        loaded.paints.push_back(
-            project::preparePaint(loaded.project.samples[i], loaded.project.levels,
-                                  task.part(0.2 + share * double(i), 0.2 + share * double(i + 1))));
+    loaded.paints = preparePaints(loaded.project, task.part(0.2, 1));
     return loaded;
 }
 

@@ -13,8 +13,13 @@ public:
     /// Adds the flags; the source must outlive the parse.
     void addTo(CLI::App& command);
 
-    /// The project with the flags applied. Throws Error.
-    project::Project load() const;
+    /// What is painted: the project's mesh, or a view that comes from elsewhere.
+    enum class Subject { Mesh, Guide };
+
+    /// The project with the flags applied; for a guide without the mesh and its objects. Throws Error.
+    project::Project load(Subject subject = Subject::Mesh) const;
+    /// Whether a flag names the method.
+    bool methodGiven() const { return m_methodGiven; }
     const std::filesystem::path& path() const { return m_path; }
 
 private:
@@ -22,11 +27,12 @@ private:
     void addSceneFlags(CLI::App& command);
     void addMethodFlags(CLI::App& command);
     template <class Params>
-    void addOverrides(CLI::App& command, Params& (*member)(project::Project&),
+    void addOverrides(CLI::App& command, std::vector<Params& (*)(project::Project&)> members,
                       const std::string& prefix = {});
 
     std::filesystem::path m_path;
     std::vector<Override> m_overrides;
+    bool m_methodGiven = false;
 };
 
 /// A project ready to be painted: its scene and one paint a sample.
@@ -36,7 +42,10 @@ struct LoadedProject {
     std::vector<project::Paint> paints;  ///< one a sample of the project
 };
 
-/// Reads mesh and samples and synthesises the levels. Throws Error, Cancelled.
+/// One paint a sample of the project, with what its method needs. Throws Error, Cancelled.
+std::vector<project::Paint> preparePaints(const project::Project& project, const Task& task);
+
+/// Reads mesh and samples and makes the paints. Throws Error, Cancelled.
 LoadedProject loadProject(project::Project project, const Task& task);
 
 /// "1280x720", each side 1..16384, 64 megapixels in all. Throws CLI::ValidationError.

@@ -1,6 +1,8 @@
+#include "app/cli/guide_source.h"
 #include "app/cli/project_source.h"
 #include "core/base/color.h"
 #include "core/base/error.h"
+#include "core/project/render_method.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -25,8 +27,23 @@ ScalarImage finiteDepth(ScalarImage depth) {
     return depth;
 }
 
+/// A view ready to be painted.
+struct View {
+    project::Project project;
+    std::vector<project::Paint> paints;
+    project::WornPaints worn;
+    scene::GBuffer gbuffer;
+};
+
+double levelSeconds(const std::vector<project::Paint>& paints) {
+    double seconds = 0;
+    for (const project::Paint& paint : paints) seconds += paint.levelSeconds;
+    return seconds;
+}
+
 struct RenderCommand {
     ProjectSource source;
+    GuideSource guide;
     std::filesystem::path output;
     std::filesystem::path auxiliary;
     std::string size = "1024x1024";
@@ -38,44 +55,82 @@ struct RenderCommand {
         if (background != "transparent") usageFrom("--background", [&] { colorFromHex(background); });
         if (!isWritableImage(output))
             throw Error(output.string(), "has no extension of a picture", "choose .png, .exr or .tif");
-        const project::Project project = source.load();
-        std::vector<std::filesystem::path> inputs{project.mesh, source.path()};
-        for (const project::Sample& sample : project.samples) inputs.push_back(sample.scan);
-        refuseOverwriting(inputs, {output});
         const Task task = session.task("render");
         Seconds seconds;
+        const View view = guide.given() ? guideView(task, seconds) : meshView(pixels, task, seconds);
         Stopwatch stopwatch;
-        LoadedProject loaded = loadProject(project, task.part(0, 0.7));
-        for (const project::Paint& paint : loaded.paints) seconds.synthesis += paint.levelSeconds;
-        seconds.load = stopwatch.lap() - seconds.synthesis;
-        const scene::RayScene rays(loaded.scene, task.part(0.7, 0.75));
-        const scene::Camera camera = project::cameraFor(loaded.project, loaded.scene);
-        const scene::GBuffer gbuffer =
-            scene::castGBuffer(rays, loaded.scene.lights, camera, pixels.x, pixels.y, task.part(0.75, 0.9));
-        seconds.guide = stopwatch.lap();
-        const methods::Frame frame =
-            project::renderFrame(loaded.project, loaded.scene, loaded.paints, gbuffer, task.part(0.9, 1));
-        seconds.shade = stopwatch.lap();
-        const ImageMetadata metadata = pictureMetadata("render", parameters(loaded.project, pixels));
-        writePicture(frame.picture, metadata);
-        if (!auxiliary.empty()) writeAuxiliary(gbuffer, frame, metadata);
-        report(session, loaded, gbuffer, seconds);
+        const project::Rendering rendering =
+            project::renderFrame(view.project, view.worn, view.gbuffer, task.part(0.7, 1));
+        seconds.synthesis += rendering.synthesisSeconds;
+        seconds.shade = stopwatch.lap() - rendering.synthesisSeconds;
+        const ImageMetadata metadata = pictureMetadata("render", parameters(view));
+        writePicture(rendering.frame.picture, metadata);
+        if (!auxiliary.empty()) writeAuxiliary(view.gbuffer, rendering.frame, metadata);
+        report(session, view, rendering.report, seconds);
     }
 
-    nlohmann::json parameters(const project::Project& project, glm::ivec2 pixels) const {
-        nlohmann::json json{
-            {"method", project.method},
-            {"size", {pixels.x, pixels.y}},
-            {"mesh", project.mesh.filename().string()},
-            {"camera", {project.camera.azimuth, project.camera.elevation, project.camera.distance}},
-            {"background", background}};
+    /// The project for this subject, once it is sure that the picture replaces none of what it is made from.
+    project::Project loadProjectFor(ProjectSource::Subject subject) const {
+        project::Project project = source.load(subject);
+        std::vector<std::filesystem::path> inputs = guide.inputs();
+        inputs.insert(inputs.end(), {project.mesh, source.path()});
+        for (const project::Sample& sample : project.samples) inputs.push_back(sample.scan);
+        refuseOverwriting(inputs, {output});
+        return project;
+    }
+
+    View meshView(glm::ivec2 pixels, const Task& task, Seconds& seconds) const {
+        Stopwatch stopwatch;
+        LoadedProject loaded = loadProject(loadProjectFor(ProjectSource::Subject::Mesh), task.part(0, 0.5));
+        seconds.synthesis = levelSeconds(loaded.paints);
+        seconds.load = stopwatch.lap() - seconds.synthesis;
+        const scene::RayScene rays(loaded.scene, task.part(0.5, 0.55));
+        const scene::Camera camera = project::cameraFor(loaded.project, loaded.scene);
+        View view{std::move(loaded.project), std::move(loaded.paints), {}, {}};
+        view.worn = project::wornPaints(loaded.scene, view.paints);
+        view.gbuffer =
+            scene::castGBuffer(rays, loaded.scene.lights, camera, pixels.x, pixels.y, task.part(0.55, 0.7));
+        seconds.guide = stopwatch.lap();
+        return view;
+    }
+
+    View guideView(const Task& task, Seconds& seconds) const {
+        Stopwatch stopwatch;
+        View view{loadProjectFor(ProjectSource::Subject::Guide), {}, {}, {}};
+        if (!project::renderMethod(view.project.method).takesGuides) {
+            if (source.methodGiven())
+                throw CLI::ValidationError(
+                    fmt::format("--guide: is not for {}, which needs a mesh; choose --method image-based",
+                                view.project.method));
+            view.project.method = "image-based";
+        }
+        view.gbuffer = guide.read();
+        seconds.guide = stopwatch.lap();
+        view.paints = preparePaints(view.project, task.part(0, 0.7));
+        view.worn = guide.wornPaints(view.project, view.gbuffer, view.paints);
+        seconds.synthesis = levelSeconds(view.paints);
+        seconds.load = stopwatch.lap() - seconds.synthesis;
+        return view;
+    }
+
+    nlohmann::json parameters(const View& view) const {
+        const project::Project& project = view.project;
+        nlohmann::json json{{"method", project.method},
+                            {"size", {view.gbuffer.width, view.gbuffer.height}},
+                            {"background", background}};
         for (const project::Sample& sample : project.samples)
             json["samples"].push_back(sample.scan.filename().string());
+        json.update(project::renderMethod(project.method).parameters(project));
+        json.update(guide.given() ? guide.parameters() : sceneParameters(project));
+        return json;
+    }
+
+    static nlohmann::json sceneParameters(const project::Project& project) {
+        nlohmann::json json{
+            {"mesh", project.mesh.filename().string()},
+            {"camera", {project.camera.azimuth, project.camera.elevation, project.camera.distance}}};
         for (const scene::Light& light : project.lights)
             json["lights"].push_back({light.vector.x, light.vector.y, light.vector.z, light.intensity});
-        json.update(parametersToJson(project.levels));
-        json.update(parametersToJson(project.levels.quilt));
-        json.update(parametersToJson(project.viewAligned));
         return json;
     }
 
@@ -97,22 +152,24 @@ struct RenderCommand {
                         const ImageMetadata& metadata) const {
         writeImage(auxiliary / "light.exr", gbuffer.light, metadata);
         writeImage(auxiliary / "id.png", gbuffer.objectId, metadata);
+        writeImage(auxiliary / "texture.exr", frame.texture, metadata);
+        if (guide.given()) return;  // pictures have neither depth nor normals
         writeImage(auxiliary / "depth.exr", finiteDepth(gbuffer.depth), metadata);
         writeImage(auxiliary / "normal.exr", gbuffer.normal, metadata);
-        writeImage(auxiliary / "texture.exr", frame.texture, metadata);
     }
 
-    void report(Session& session, const LoadedProject& loaded, const scene::GBuffer& gbuffer,
+    void report(Session& session, const View& view, const synthesis::QuiltReport& quilted,
                 const Seconds& seconds) const {
+        const scene::GBuffer& gbuffer = view.gbuffer;
         const std::span<const std::uint16_t> ids = gbuffer.objectId.pixels();
         const auto covered = ids.size() - std::size_t(std::count(ids.begin(), ids.end(), 0));
-        std::size_t blocks = 0;
-        double error = 0;
-        for (const project::Paint& paint : loaded.paints) {
+        std::size_t blocks = quilted.blocks;
+        double error = quilted.overlapError * double(quilted.blocks);
+        for (const project::Paint& paint : view.paints) {
             blocks += paint.levels.report.blocks;
             error += paint.levels.report.overlapError * double(paint.levels.report.blocks);
         }
-        const nlohmann::json json{{"method", loaded.project.method},
+        const nlohmann::json json{{"method", view.project.method},
                                   {"width", gbuffer.width},
                                   {"height", gbuffer.height},
                                   {"pixels", covered},
@@ -134,7 +191,8 @@ struct RenderCommand {
 }  // namespace
 
 void addRenderCommand(CLI::App& root, Session& session) {
-    CLI::App* command = root.add_subcommand("render", "Paint a mesh and write the picture (§4)");
+    CLI::App* command =
+        root.add_subcommand("render", "Paint a mesh, or any picture of light, and write the picture (§4)");
     auto state = std::make_shared<RenderCommand>();
     state->source.addTo(*command);
     command->add_option("-o,--output", state->output, "Picture to write: .png, .exr (scene-linear) or .tif")
@@ -145,6 +203,7 @@ void addRenderCommand(CLI::App& root, Session& session) {
     command->add_option("--aux", state->auxiliary,
                         "Folder for light.exr, id.png, depth.exr, normal.exr and texture.exr of this "
                         "picture; light and depth are -1 outside the objects");
+    state->guide.addTo(*command);
     session.addCommonFlags(*command);
     command->callback([state, &session] { state->run(session); });
 }

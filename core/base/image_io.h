@@ -15,18 +15,21 @@ struct DecodedImage {
     int channels = 0;           ///< 1 grey, 2 grey + alpha, 3 RGB, 4 RGB + alpha
     bool linear = false;        ///< the values are scene-linear (EXR), else display-referred in [0, 1]
     std::vector<float> values;  ///< width * height * channels, row after row; alpha is not premultiplied
+    int bits = 0;  ///< of a stored integer, which was (2^bits - 1) times the value; 0 when floats are stored
 };
 
 /// What a picture may be before a pixel of it is decoded.
 struct ImageLimits {
     int maximumSide = 32768;                    ///< pixels
     std::uint64_t maximumPixels = 100'000'000;  ///< pixels; reading takes up to 32 bytes for each
+    bool mayBeNotFinite = false;                ///< take NaN and infinities, which say "nothing here" in data
 };
 
 /// Reads PNG, JPEG, TIFF, OpenEXR or WebP; the content decides the format, not the name. The first picture of
 /// an animated or layered file; of an OpenEXR file the display window. Palettes become RGB, CMYK becomes RGB.
-/// Non-finite values are refused. Throws Error naming the file when it is missing, of another format,
-/// damaged, truncated, or beyond the limits. Thread-safe; the first call takes 0.3 s longer.
+/// Throws Error naming the file when it is missing, of another format,
+/// damaged, truncated, or beyond the limits, and
+/// when values aren't finite where they must be. Thread-safe; the first call takes 0.3 s longer.
 DecodedImage readImage(const std::filesystem::path& path, const ImageLimits& limits = {});
 
 /// Entries written into the picture's metadata: what made it (version, command, parameters).

@@ -67,7 +67,7 @@ DecodedImage upright(DecodedImage image, int orientation) {
     const bool transposed = orientation >= 5;
     const bool fromRight = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
     const bool fromBottom = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
-    DecodedImage turned{image.width, image.height, image.channels, image.linear, {}};
+    DecodedImage turned{image.width, image.height, image.channels, image.linear, {}, image.bits};
     if (transposed) std::swap(turned.width, turned.height);
     turned.values.resize(image.values.size());
     const std::size_t channels = std::size_t(image.channels);
@@ -86,7 +86,7 @@ DecodedImage upright(DecodedImage image, int orientation) {
 }
 
 DecodedImage placed(const DecodedImage& image, int x, int y, int width, int height) {
-    DecodedImage canvas{width, height, image.channels, image.linear, {}};
+    DecodedImage canvas{width, height, image.channels, image.linear, {}, image.bits};
     const std::size_t channels = std::size_t(image.channels);
     canvas.values.resize(std::size_t(width) * std::size_t(height) * channels, 0.0f);
     const int left = std::max(x, 0);

@@ -1,5 +1,7 @@
 #include "core/project/pipeline.h"
 
+#include "core/project/render_method.h"
+
 #include <chrono>
 
 namespace chiaro::project {
@@ -9,16 +11,26 @@ gradient::Gradient shownGradient(const Sample& sample, const gradient::Separatio
     return sample.recoloring->sampled(int(separation.gradient.size()));
 }
 
-Paint preparePaint(const Sample& sample, const synthesis::LevelParams& levels, const Task& task) {
+Paint separatePaint(const Sample& sample, const Task& task) {
     Paint paint;
     paint.strip = sample::readStrip(sample.scan, sample.strip);
     task.checkpoint();
-    paint.separation = gradient::separate(paint.strip, sample.gradient, task.part(0, 0.2));
+    paint.separation = gradient::separate(paint.strip, sample.gradient, task);
     paint.shown = shownGradient(sample, paint.separation);
+    return paint;
+}
+
+Paint preparePaint(const Sample& sample, const synthesis::LevelParams& levels, const Task& task) {
+    Paint paint = separatePaint(sample, task.part(0, 0.2));
     const auto begin = std::chrono::steady_clock::now();
     paint.levels = synthesis::makeLevels(paint.strip, paint.separation.gradient, levels, task.part(0.2, 1));
     paint.levelSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return paint;
+}
+
+Paint preparePaint(const Project& project, std::size_t sample, const Task& task) {
+    if (!renderMethod(project.method).usesLevels) return separatePaint(project.samples[sample], task);
+    return preparePaint(project.samples[sample], project.levels, task);
 }
 
 scene::Scene makeScene(const Project& project,
@@ -43,15 +55,15 @@ scene::Camera cameraFor(const Project& project, const scene::Scene& scene) {
     return project.frameCamera ? project.camera.framed(boundsOf(scene)) : project.camera;
 }
 
-methods::Frame renderFrame(const Project& project, const scene::Scene& scene,
-                           const std::vector<Paint>& paints, const scene::GBuffer& gbuffer,
-                           const Task& task) {
-    std::vector<methods::ViewAlignedPaint> worn;
-    for (const scene::Object& object : scene.objects) {
-        const Paint& paint = paints[std::size_t(object.sample)];
-        worn.push_back({&paint.levels, &paint.shown, {}});
-    }
-    return methods::renderViewAligned(gbuffer, worn, project.viewAligned, task);
+WornPaints wornPaints(const scene::Scene& scene, const std::vector<Paint>& paints) {
+    WornPaints worn;
+    for (const scene::Object& object : scene.objects) worn.push_back(&paints[std::size_t(object.sample)]);
+    return worn;
+}
+
+Rendering renderFrame(const Project& project, const WornPaints& worn, const scene::GBuffer& gbuffer,
+                      const Task& task) {
+    return renderMethod(project.method).render(project, worn, gbuffer, task);
 }
 
 }  // namespace chiaro::project

@@ -13,16 +13,25 @@ namespace chiaro::project {
 struct Paint {
     ColorImage strip;
     gradient::Separation separation;
-    gradient::Gradient shown;  ///< the artist's recolouring, or else the sample's own gradient G(u(x))
-    synthesis::LevelStack levels;
-    double levelSeconds = 0;  ///< what the level stack took to make
+    gradient::Gradient shown;      ///< the artist's recolouring, or else the sample's own gradient G(u(x))
+    synthesis::LevelStack levels;  ///< empty when the method doesn't use them
+    double levelSeconds = 0;       ///< what the level stack took to make
 };
+
+/// What each object of a view wears, [k - 1] of object k.
+using WornPaints = std::vector<const Paint*>;
 
 /// The gradient that pictures show for a sample.
 gradient::Gradient shownGradient(const Sample& sample, const gradient::Separation& separation);
 
+/// Scan, strip and separation of a sample, without levels. Throws Error, Cancelled.
+Paint separatePaint(const Sample& sample, const Task& task = {});
+
 /// Scan, strip, separation and level stack of a sample. Throws Error, Cancelled.
 Paint preparePaint(const Sample& sample, const synthesis::LevelParams& levels, const Task& task = {});
+
+/// What the project's method needs of one of its samples. Throws Error, Cancelled.
+Paint preparePaint(const Project& project, std::size_t sample, const Task& task = {});
 
 /// The scene of a loaded model with the project's settings applied: objects are matched by name; those that
 /// the project does not name wear its first sample.
@@ -31,10 +40,19 @@ scene::Scene makeScene(const Project& project, const std::vector<std::shared_ptr
 /// The project's camera, aimed at the scene when the project says so.
 scene::Camera cameraFor(const Project& project, const scene::Scene& scene);
 
+/// The paint that each object of the scene wears; `paints` has one entry a sample of the project.
+WornPaints wornPaints(const scene::Scene& scene, const std::vector<Paint>& paints);
+
+/// A picture and what it took.
+struct Rendering {
+    methods::Frame frame;
+    synthesis::QuiltReport report;  ///< of texture that was made for this picture
+    double synthesisSeconds = 0;    ///< what that took
+};
+
 /// The picture of a view by the project's method, the texture where it lies when the objects are first seen.
-/// `paints` has one entry a sample of the project, `gbuffer` shows `scene`. Throws Cancelled.
-methods::Frame renderFrame(const Project& project, const scene::Scene& scene,
-                           const std::vector<Paint>& paints, const scene::GBuffer& gbuffer,
-                           const Task& task = {});
+/// worn[k - 1] is what object k of the view wears. Throws Error, Cancelled.
+Rendering renderFrame(const Project& project, const WornPaints& worn, const scene::GBuffer& gbuffer,
+                      const Task& task = {});
 
 }  // namespace chiaro::project

@@ -3,6 +3,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/project/json_reader.h"
+#include "core/project/render_method.h"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
@@ -131,6 +132,14 @@ scene::Light readLight(const JsonReader& reader) {
     return light;
 }
 
+std::string readMethod(const JsonReader& reader) {
+    const std::string key = reader.text("method");
+    if (findRenderMethod(key)) return key;
+    std::vector<std::string> keys;
+    for (const RenderMethod& method : renderMethods()) keys.push_back("\"" + method.key + "\"");
+    throw reader.wrong("method", fmt::format("{}", fmt::join(keys, " or ")));
+}
+
 void readCamera(const JsonReader& reader, Project& project) {
     scene::Camera& camera = project.camera;
     reader.read("azimuth", camera.azimuth, -1e6, 1e6);
@@ -163,12 +172,16 @@ Project projectFromJson(const Json& json, const fs::path& path) {
         for (const JsonReader& light : reader.children("lights")) project.lights.push_back(readLight(light));
     }
     if (reader.has("camera")) readCamera(reader.child("camera"), project);
-    if (reader.has("method")) project.method = reader.text("method");
+    if (reader.has("method")) project.method = readMethod(reader);
     if (reader.has("levels")) {
         reader.child("levels").params(project.levels);
         reader.child("levels").params(project.levels.quilt);
     }
     if (reader.has("view-aligned")) reader.child("view-aligned").params(project.viewAligned);
+    if (reader.has("image-based")) {
+        reader.child("image-based").params(project.imageBased);
+        reader.child("image-based").params(project.imageBased.quilt);
+    }
     return project;
 }
 
@@ -205,6 +218,8 @@ void writeProject(const fs::path& path, const Project& project) {
     json["levels"] = jsonFromParams(project.levels);
     json["levels"].update(jsonFromParams(project.levels.quilt));
     json["view-aligned"] = jsonFromParams(project.viewAligned);
+    json["image-based"] = jsonFromParams(project.imageBased);
+    json["image-based"].update(jsonFromParams(project.imageBased.quilt));
     writeFileAtomically(path, json.dump(2) + "\n");
 }
 

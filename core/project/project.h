@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/gradient/gradient.h"
+#include "core/methods/image_based.h"
 #include "core/methods/view_aligned.h"
 #include "core/sample/strip.h"
 #include "core/scene/scene.h"
@@ -42,9 +43,10 @@ struct Project {
     bool frameCamera = true;  ///< aim the camera at the whole scene when it is opened; its target and radius
                               ///< are then not saved
     scene::Camera camera;
-    std::string method = "view-aligned";
+    std::string method = "view-aligned";  ///< key of a RenderMethod
     synthesis::LevelParams levels;
     methods::ViewAlignedParams viewAligned;
+    methods::ImageBasedParams imageBased;
     friend bool operator==(const Project&, const Project&) = default;
 };
 

@@ -68,7 +68,7 @@ public:
                         "save it as a flat picture");
         const ChannelChoice channels = choose();
         DecodedImage image = decode(channels);
-        if (!allFinite(image.values))
+        if (!m_limits.mayBeNotFinite && !allFinite(image.values))
             throw Error(m_path.string(), "has pixels that are not finite numbers",
                         "replace the NaN and infinite pixels and save it again");
         const bool associated = m_spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
@@ -142,7 +142,8 @@ private:
         const std::string complaint = m_input->geterror();
         if (!complete || !complaint.empty()) throw damaged(complaint);
 
-        DecodedImage image{m_spec.width, m_spec.height, int(channels.size()), false, {}};
+        DecodedImage image{m_spec.width, m_spec.height, int(channels.size()), false, {}, 0};
+        if (std::is_integral_v<Value>) image.bits = int(8 * sizeof(Value));
         image.values.resize(pixels * channels.size());
         float* to = image.values.data();
         for (std::size_t pixel = 0; pixel < pixels; ++pixel)

@@ -174,6 +174,22 @@ TEST_F(ImageRead, RefusesValuesThatAreNotFinite) {
     }
 }
 
+TEST_F(ImageRead, TakesValuesThatAreNotFiniteWhereTheyMayBe) {
+    ScalarImage image(4, 4, 0.5f);
+    image(2, 3) = std::numeric_limits<float>::quiet_NaN();
+    writeImage(m_folder / "light.exr", image);
+    const DecodedImage read = readImage(m_folder / "light.exr", {.mayBeNotFinite = true});
+    EXPECT_TRUE(std::isnan(read.values[14]));
+    EXPECT_EQ(read.values[13], 0.5f);
+}
+
+TEST_F(ImageRead, TellsHowManyBitsWereStored) {
+    EXPECT_EQ(read(png(4, 1, 8, PngColor::Grey, {"abcd"})).bits, 8);
+    EXPECT_EQ(read(png(2, 1, 16, PngColor::Grey, {"abcd"})).bits, 16);
+    writeImage(m_folder / "float.exr", ScalarImage(4, 4, 0.5f));
+    EXPECT_EQ(readImage(m_folder / "float.exr").bits, 0);
+}
+
 /// Real damaged files: each is read or refused with a sentence, quickly.
 TEST_F(ImageRead, SurvivesBrokenFiles) {
     CHIARO_NEEDS_SHARED_DATA();

@@ -32,6 +32,9 @@ Project everythingChanged(const test::TemporaryFolder& folder) {
     project.levels.tiling = synthesis::Tiling::Mask;
     project.levels.quilt.block = 24;
     project.viewAligned.density = 0.75;
+    project.method = "image-based";
+    project.imageBased.window = 7;
+    project.imageBased.quilt = {.block = 20, .overlap = 6, .tolerance = 0.25, .seed = 9};
     return project;
 }
 
@@ -82,6 +85,10 @@ TEST(Project, SaysWhatIsWrongWithAFile) {
     EXPECT_NE(refusal(R"({"chiaro": 1, "samples": [], "camera": {"elevation": 95}})").find("from -90 to 90"),
               std::string::npos);
     EXPECT_NE(refusal(R"({"chiaro": 1, "samples": [], "levels": {"count": 1}})").find("2..32"),
+              std::string::npos);
+    EXPECT_NE(refusal(R"({"chiaro": 1, "samples": [], "method": "guess"})").find("\"image-based\""),
+              std::string::npos);
+    EXPECT_NE(refusal(R"({"chiaro": 1, "samples": [], "image-based": {"window": 65}})").find("0..64"),
               std::string::npos);
     EXPECT_NE(refusal(R"({"chiaro": 1, "samples": [], "lights": [{"vector": [0, 0, 0]}]})").find("not zero"),
               std::string::npos);

@@ -20,18 +20,20 @@ struct Render {
     const char* name;    ///< of the baseline
     const char* mesh;    ///< in resources/demo/meshes
     const char* sample;  ///< in resources/demo/samples
+    const char* method = "view-aligned";
 };
 
 void PrintTo(const Render& render, std::ostream* stream) {
     *stream << render.name;
 }
 
-class ViewAlignedRender : public testing::TestWithParam<Render> {};
+class DemoRender : public testing::TestWithParam<Render> {};
 
 ColorImage paint(const Render& render) {
     project::Project project;
     project.mesh = resource(std::string("demo/meshes/") + render.mesh);
     project.samples.emplace_back().scan = resource(std::string("demo/samples/") + render.sample);
+    project.method = render.method;
     project.levels.size = 256;
     std::vector<std::shared_ptr<const scene::Mesh>> meshes;
     for (const scene::Mesh& mesh : scene::readModel(project.mesh).meshes)
@@ -39,8 +41,9 @@ ColorImage paint(const Render& render) {
     const scene::Scene scene = project::makeScene(project, meshes);
     const scene::GBuffer gbuffer = scene::castGBuffer(scene::RayScene(scene), scene.lights,
                                                       project::cameraFor(project, scene), 320, 320);
-    const project::Paint made = project::preparePaint(project.samples.front(), project.levels);
-    return methods::over(project::renderFrame(project, scene, {made}, gbuffer).picture, glm::vec3(1));
+    const project::Paint made = project::preparePaint(project, 0);
+    const project::WornPaints worn(scene.objects.size(), &made);
+    return methods::over(project::renderFrame(project, worn, gbuffer).frame.picture, glm::vec3(1));
 }
 
 double meanDifference(const ColorImage& a, const ColorImage& b) {
@@ -52,7 +55,7 @@ double meanDifference(const ColorImage& a, const ColorImage& b) {
     return sum / double(a.pixelCount());
 }
 
-TEST_P(ViewAlignedRender, LooksAsItDid) {
+TEST_P(DemoRender, LooksAsItDid) {
     const ColorImage picture = paint(GetParam());
     const std::string file = std::string(GetParam().name) + ".png";
     const fs::path baseline = fs::path(CHIARO_BASELINES) / file;
@@ -65,13 +68,17 @@ TEST_P(ViewAlignedRender, LooksAsItDid) {
     EXPECT_LE(difference, largestMeanDifference) << "the picture was kept as " << fs::absolute(file);
 }
 
-INSTANTIATE_TEST_SUITE_P(Demo, ViewAlignedRender,
+INSTANTIATE_TEST_SUITE_P(Demo, DemoRender,
                          testing::Values(Render{"skull_oil", "skull.glb", "oil.png"},
                                          Render{"skull_charcoal", "skull.glb", "charcoal.png"},
                                          Render{"skull_hatching", "skull.glb", "hatching.png"},
                                          Render{"still_life_pastel", "still_life.obj", "pastel.png"},
                                          Render{"shell_watercolour", "shell.ply", "watercolour.png"},
-                                         Render{"shell_impasto", "shell.ply", "impasto.png"}),
+                                         Render{"shell_impasto", "shell.ply", "impasto.png"},
+                                         Render{"skull_oil_image_based", "skull.glb", "oil.png",
+                                                "image-based"},
+                                         Render{"still_life_hatching_image_based", "still_life.obj",
+                                                "hatching.png", "image-based"}),
                          [](const auto& render) { return std::string(render.param.name); });
 
 }  // namespace
