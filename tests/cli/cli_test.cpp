@@ -136,6 +136,86 @@ TEST(Render, PaintsTheSkullTheSameOnOneThreadAndOnEight) {
         EXPECT_EQ(readImage(folder / "1" / name).width, 160) << name;
 }
 
+TEST(Render, ImageBasedIsTheSameOnOneThreadAndOnEight) {
+    const TemporaryFolder folder;
+    std::vector<std::string> pictures;
+    for (const std::string threads : {"1", "8"}) {
+        const std::filesystem::path picture = folder / (threads + ".png");
+        const Outcome outcome =
+            chiaro({"render", "--mesh", skull, "--sample", oil, "--method", "image-based", "--window", "2",
+                    "--block", "24", "--size", "160x120", "-o", picture, "--threads", threads, "--json"});
+        ASSERT_EQ(outcome.status, 0) << outcome.error;
+        EXPECT_EQ(outcome.json()["method"], "image-based");
+        EXPECT_GT(outcome.json()["blocks"], 10);
+        EXPECT_GT(outcome.json()["overlap_error"].get<double>(), 0);
+        EXPECT_GT(outcome.json()["seconds"]["synthesis"].get<double>(), 0);
+        pictures.push_back(readFile(picture, 1 << 24));
+    }
+    EXPECT_EQ(pictures[0], pictures[1]);
+    EXPECT_NE(pictures[0].find("\"window\":2"), std::string::npos);
+}
+
+/// Two halves, dark and light, the right one object 2, and a column outside.
+void writeGuide(const TemporaryFolder& folder) {
+    ScalarImage light(40, 30, 0.25f);
+    IdImage ids(40, 30, 1);
+    for (int y = 0; y < 30; ++y) {
+        for (int x = 20; x < 40; ++x) {
+            light(x, y) = 0.75f;
+            ids(x, y) = 2;
+        }
+        light(39, y) = std::nanf("");
+    }
+    writeImage(folder / "light.exr", light);
+    writeImage(folder / "ids.png", ids);
+}
+
+TEST(Render, PaintsAnyGuideByItsObjects) {
+    const TemporaryFolder folder;
+    writeGuide(folder);
+    const std::string hatching = resource("demo/samples/hatching.png").string();
+    const Outcome outcome =
+        chiaro({"render", "--guide", folder / "light.exr", "--ids", folder / "ids.png", "--sample", oil,
+                "--object", "2=" + hatching, "--background", "transparent", "-o", folder / "a.png", "--json",
+                "--aux", folder / "aux"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_EQ(outcome.json()["method"], "image-based");
+    EXPECT_EQ(outcome.json()["width"], 40);
+    EXPECT_EQ(outcome.json()["pixels"], 39 * 30);
+    const DecodedImage picture = readImage(folder / "a.png");
+    EXPECT_EQ(picture.values[39 * 4 + 3], 0) << "NaN is outside";
+    for (std::size_t x = 20; x < 39; ++x)  // the hatching is grey, the oil isn't
+        EXPECT_NEAR(picture.values[x * 4], picture.values[x * 4 + 2], 0.2) << x;
+    EXPECT_FALSE(std::filesystem::exists(folder / "aux/depth.exr"));
+    EXPECT_EQ(readImage(folder / "aux/id.png").values[25] * 255, 2);
+    const Outcome unknown = chiaro({"render", "--guide", folder / "light.exr", "--sample", oil, "--object",
+                                    "2=" + hatching, "-o", folder / "b.png"});
+    EXPECT_EQ(unknown.status, 1);
+    expectOneSentence(unknown);
+    const Outcome sizes = chiaro({"render", "--guide", hatching, "--ids", folder / "ids.png", "--sample", oil,
+                                  "-o", folder / "b.png"});
+    EXPECT_EQ(sizes.status, 1);
+    expectOneSentence(sizes);
+    EXPECT_FALSE(std::filesystem::exists(folder / "b.png"));
+}
+
+TEST(Render, GuidesAreForImageBasedAlone) {
+    const TemporaryFolder folder;
+    writeGuide(folder);
+    const std::string light = folder / "light.exr";
+    for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+             {"--method", "view-aligned"}, {"--mesh", skull}, {"--size", "64x64"}, {"--camera", "0,0,1"}}) {
+        std::vector<std::string> arguments{"render", "--guide", light,           "--sample",
+                                           oil,      "-o",      folder / "a.png"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        EXPECT_EQ(chiaro(arguments).status, 2) << more.front();
+    }
+    EXPECT_EQ(
+        chiaro({"render", "--mesh", skull, "--ids", light, "--sample", oil, "-o", folder / "a.png"}).status,
+        2);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+}
+
 TEST(Render, EveryObjectMayWearItsOwnPaint) {
     const TemporaryFolder folder;
     const std::string hatching = resource("demo/samples/hatching.png").string();
