@@ -4,6 +4,9 @@
 
 #include <QtWidgets>
 
+#include <algorithm>
+#include <optional>
+
 namespace chiaro::app {
 
 Document::Document(QObject* parent) : QObject(parent) {

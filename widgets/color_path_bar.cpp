@@ -4,6 +4,8 @@
 
 #include <QtWidgets>
 
+#include <algorithm>
+
 namespace chiaro::widgets {
 
 namespace {

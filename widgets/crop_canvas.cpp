@@ -2,6 +2,8 @@
 
 #include <QtWidgets>
 
+#include <algorithm>
+
 namespace chiaro::widgets {
 
 namespace {

@@ -5,6 +5,8 @@
 
 #include <QtWidgets>
 
+#include <algorithm>
+
 namespace chiaro::widgets {
 
 namespace {

@@ -1,5 +1,7 @@
 #include "widgets/picture.h"
 
+#include <algorithm>
+
 namespace chiaro::widgets {
 
 namespace {

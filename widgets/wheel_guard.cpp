@@ -1,5 +1,8 @@
 #include "widgets/wheel_guard.h"
 
+#include <QEvent>
+#include <QWidget>
+
 namespace chiaro::widgets {
 
 void WheelGuard::protect(QWidget* field) {

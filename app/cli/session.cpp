@@ -5,6 +5,7 @@
 #include <spdlog/fmt/fmt.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <thread>

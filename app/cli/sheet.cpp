@@ -1,5 +1,7 @@
 #include "app/cli/sheet.h"
 
+#include <algorithm>
+
 namespace chiaro::cli {
 
 namespace {

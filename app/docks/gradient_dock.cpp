@@ -8,6 +8,8 @@
 
 #include <QtWidgets>
 
+#include <optional>
+
 namespace chiaro::app {
 
 GradientDock::GradientDock(Document& document, Paints& paints)

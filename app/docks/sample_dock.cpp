@@ -9,6 +9,8 @@
 
 #include <QtWidgets>
 
+#include <algorithm>
+
 namespace chiaro::app {
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include <QtWidgets>
 
+#include <algorithm>
 #include <stop_token>
 
 namespace chiaro::app {

@@ -1,5 +1,6 @@
 #include "core/base/image_layout.h"
 
+#include <algorithm>
 #include <cctype>
 
 namespace chiaro {

@@ -1,5 +1,6 @@
 #include "core/base/task.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace chiaro {

@@ -1,5 +1,7 @@
 #include "core/gradient/gradient.h"
 
+#include <algorithm>
+
 namespace chiaro::gradient {
 
 namespace {

@@ -4,6 +4,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+
 namespace chiaro::gradient {
 
 const ParameterTable<GradientParams>& GradientParams::table() {

@@ -1,6 +1,7 @@
 #include "core/gradient/gradient.h"
 #include "core/gradient/speed_curve.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace chiaro::gradient {

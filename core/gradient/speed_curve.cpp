@@ -4,6 +4,8 @@
 
 #include <boost/math/interpolators/cubic_hermite.hpp>
 
+#include <algorithm>
+
 namespace chiaro::gradient {
 
 namespace {

@@ -5,6 +5,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+
 namespace chiaro::methods {
 
 using synthesis::BlockSite;

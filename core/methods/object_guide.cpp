@@ -5,6 +5,8 @@
 #include <spdlog/fmt/fmt.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+
 namespace chiaro::methods {
 
 namespace {

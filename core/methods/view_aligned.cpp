@@ -1,5 +1,7 @@
 #include "core/methods/view_aligned.h"
 
+#include <algorithm>
+
 namespace chiaro::methods {
 
 const ParameterTable<ViewAlignedParams>& ViewAlignedParams::table() {

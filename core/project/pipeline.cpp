@@ -2,6 +2,7 @@
 
 #include "core/project/render_method.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace chiaro::project {

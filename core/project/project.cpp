@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+
 namespace chiaro::project {
 
 namespace fs = std::filesystem;

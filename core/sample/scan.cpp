@@ -2,6 +2,8 @@
 #include "core/base/image_io.h"
 #include "core/sample/strip.h"
 
+#include <algorithm>
+
 namespace chiaro::sample {
 
 namespace {

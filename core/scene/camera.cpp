@@ -2,6 +2,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
+
 namespace chiaro::scene {
 
 float Camera::eyeDistance() const {

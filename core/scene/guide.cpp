@@ -4,6 +4,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+
 namespace chiaro::scene {
 
 GBuffer gbufferFromGuide(const ScalarImage& light, const IdImage* ids) {

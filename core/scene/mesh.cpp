@@ -1,5 +1,6 @@
 #include "core/scene/mesh.h"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 

@@ -6,6 +6,8 @@
 
 #include <tbb/parallel_sort.h>
 
+#include <algorithm>
+
 namespace chiaro::scene {
 
 namespace {

@@ -1,5 +1,6 @@
 #include "core/scene/text_scanner.h"
 
+#include <optional>
 #include <unordered_map>
 
 namespace chiaro::scene {

@@ -1,5 +1,7 @@
 #include "core/scene/text_scanner.h"
 
+#include <optional>
+
 namespace chiaro::scene {
 
 namespace {

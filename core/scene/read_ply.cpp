@@ -1,6 +1,9 @@
 #include "core/scene/byte_reader.h"
 #include "core/scene/text_scanner.h"
 
+#include <algorithm>
+#include <optional>
+
 namespace chiaro::scene {
 
 namespace {

@@ -1,5 +1,7 @@
 #include "core/scene/scene.h"
 
+#include <algorithm>
+
 namespace chiaro::scene {
 
 float lightValue(const std::vector<Light>& lights, glm::vec3 /*position*/, glm::vec3 normal) {

@@ -1,5 +1,6 @@
 #include "core/scene/text_scanner.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace chiaro::scene {

@@ -1,5 +1,7 @@
 #include "core/synthesis/block_grid.h"
 
+#include <algorithm>
+
 namespace chiaro::synthesis {
 
 namespace {
@@ -10,10 +12,10 @@ int dividedUp(int value, int divisor) {
 
 }  // namespace
 
-BlockGrid::Axis::Axis(int length_, int block_, int overlap_, bool wrap)
-    : length(length_), block(block_), even(wrap), stride(block_ - overlap_) {
-    count = even ? dividedUp(length, stride) : std::max(dividedUp(length - overlap_, stride), 1);
-    widestOverlap = even ? block - length / count : overlap_;
+BlockGrid::Axis::Axis(int axisLength, int blockSide, int overlapPixels, bool wrap)
+    : length(axisLength), block(blockSide), even(wrap), stride(blockSide - overlapPixels) {
+    count = even ? dividedUp(length, stride) : std::max(dividedUp(length - overlapPixels, stride), 1);
+    widestOverlap = even ? block - length / count : overlapPixels;
 }
 
 bool BlockGrid::Axis::overlap(int i, int j) const {

@@ -2,6 +2,7 @@
 
 #include "core/synthesis/quilting.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace chiaro::synthesis {

@@ -1,6 +1,8 @@
 #include "core/synthesis/block_search.h"
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace chiaro::synthesis {
 

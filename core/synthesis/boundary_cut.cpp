@@ -1,6 +1,8 @@
 #include "core/synthesis/boundary_cut.h"
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace chiaro::synthesis {
 

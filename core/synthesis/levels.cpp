@@ -6,6 +6,8 @@
 #include <spdlog/fmt/fmt.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+
 namespace chiaro::synthesis {
 
 namespace {

@@ -7,7 +7,9 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for_each.h>
 
+#include <algorithm>
 #include <atomic>
+#include <optional>
 
 namespace chiaro::synthesis {
 

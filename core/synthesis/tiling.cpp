@@ -2,6 +2,8 @@
 
 #include "core/synthesis/block_grid.h"
 
+#include <algorithm>
+
 namespace chiaro::synthesis {
 
 namespace {
@@ -33,7 +35,7 @@ namespace {
 // One axis of a picture that wraps: a gap is left at its beginning, and what comes before the gap is what
 // follows the end of the picture it was cut from.
 struct Gap {
-    Gap(int length_, const QuiltParams& params) : length(length_) {
+    Gap(int axisLength, const QuiltParams& params) : length(axisLength) {
         const BlockGrid grid(length, length, params.block, params.overlapPixels(), true);
         begin = grid.widestOverlap();
         end = std::max(grid.site(std::clamp(grid.columns() / 5, 1, 3)).position.x, begin);

@@ -4,6 +4,8 @@
 #include <QPainter>
 #include <QtConcurrent>
 
+#include <algorithm>
+
 namespace chiaro::widgets {
 
 namespace {

@@ -2,6 +2,8 @@
 
 #include "widgets/viewport/screen_bounds.h"
 
+#include <algorithm>
+
 namespace chiaro::widgets {
 
 namespace {

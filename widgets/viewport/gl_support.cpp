@@ -1,9 +1,12 @@
 #include "widgets/viewport/gl_support.h"
 
 #include <QFile>
+#include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+
+#include <algorithm>
 
 /// The shaders lie in a static library, whose resources register only when asked; outside any namespace, as
 /// the macro demands.

@@ -1,5 +1,7 @@
 #include "widgets/viewport/level_texels.h"
 
+#include <algorithm>
+
 namespace chiaro::widgets {
 
 namespace {

@@ -4,6 +4,8 @@
 
 #include <glm/gtx/rotate_vector.hpp>
 
+#include <algorithm>
+
 namespace chiaro::widgets {
 
 namespace {

@@ -2,6 +2,8 @@
 
 #include "widgets/viewport/view_state.h"
 
+#include <algorithm>
+
 namespace chiaro::widgets {
 
 namespace {

@@ -1,10 +1,12 @@
 #include "widgets/viewport/view_aligned_drawer.h"
 
+#include <algorithm>
+
 namespace chiaro::widgets {
 
 namespace {
 
-enum TextureUnit { surfaceUnit, gradientUnit, levelUnit, tableUnit };
+enum TextureUnit { SurfaceUnit, GradientUnit, LevelUnit, TableUnit };
 
 /// An octave that weighs less shifts no colour by a step of 1/255, as differences lie within [-1, 1] and are
 /// mostly far from the ends: it is left out, which most frames of a turning object profit from.
@@ -61,10 +63,10 @@ QOpenGLShaderProgram* ViewAlignedDrawer::programFor(const Filter& filter) {
     if (!entry->second) return nullptr;
     QOpenGLShaderProgram& program = *entry->second;
     program.bind();
-    program.setUniformValue("surfaces", surfaceUnit);
-    program.setUniformValue("gradient", gradientUnit);
-    program.setUniformValue("levels", levelUnit);
-    program.setUniformValue("placements", tableUnit);
+    program.setUniformValue("surfaces", SurfaceUnit);
+    program.setUniformValue("gradient", GradientUnit);
+    program.setUniformValue("levels", LevelUnit);
+    program.setUniformValue("placements", TableUnit);
     program.release();
     return &program;
 }
@@ -105,7 +107,7 @@ void ViewAlignedDrawer::uploadTable(Gl& gl, const std::vector<Placed>& objects) 
     gl.glBindBuffer(GL_TEXTURE_BUFFER, m_tableBuffer);
     gl.glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(texels.size() * sizeof(glm::vec4)), texels.data(),
                     GL_STREAM_DRAW);
-    gl.glActiveTexture(GL_TEXTURE0 + tableUnit);
+    gl.glActiveTexture(GL_TEXTURE0 + TableUnit);
     gl.glBindTexture(GL_TEXTURE_BUFFER, m_table);
     gl.glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, m_tableBuffer);
 }
@@ -114,9 +116,9 @@ void ViewAlignedDrawer::shade(Gl& gl, const Placed& representative, const Pass& 
     QOpenGLShaderProgram* program = programFor(representative.filter);
     if (!program) return;
     const GlPaints::Paint& paint = m_paints.find(representative.sample);
-    gl.glActiveTexture(GL_TEXTURE0 + gradientUnit);
+    gl.glActiveTexture(GL_TEXTURE0 + GradientUnit);
     gl.glBindTexture(GL_TEXTURE_1D, paint.gradient);
-    gl.glActiveTexture(GL_TEXTURE0 + levelUnit);
+    gl.glActiveTexture(GL_TEXTURE0 + LevelUnit);
     gl.glBindTexture(GL_TEXTURE_3D, paint.levels);
     program->bind();
     program->setUniformValue("objectRange", QVector2D(float(pass.firstId), float(pass.lastId)));
@@ -145,7 +147,7 @@ bool ViewAlignedDrawer::draw(Gl& gl, const ViewState& state, QSize pixels, GLuin
     gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     gl.glBindVertexArray(m_noAttributes);
     uploadTable(gl, objects);
-    gl.glActiveTexture(GL_TEXTURE0 + surfaceUnit);
+    gl.glActiveTexture(GL_TEXTURE0 + SurfaceUnit);
     gl.glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, m_gbuffer.texture());
     for (std::size_t first = 0; first < objects.size();) {
         std::size_t end = first;

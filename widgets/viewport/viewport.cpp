@@ -12,6 +12,9 @@
 #include <QNativeGestureEvent>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <optional>
+
 namespace chiaro::widgets {
 
 struct Viewport::Impl {
@@ -138,91 +141,91 @@ void Viewport::Impl::frameUnderCursor() {
     frame(object ? scene::Scene{{state.scene().objects[*object]}, {}} : state.scene());
 }
 
-Viewport::Viewport(QWidget* parent) : QWidget(parent), m(std::make_unique<Impl>(*this)) {
+Viewport::Viewport(QWidget* parent) : QWidget(parent), m_impl(std::make_unique<Impl>(*this)) {
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
     setMinimumSize(160, 120);
     setAccessibleName(tr("Viewport"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    m->sphere = new LightSphere(this);
-    connect(m->sphere, &LightSphere::lightDragged, this, [this](glm::vec3 direction) {
-        if (m->state.scene().lights.empty()) return;
-        m->turnLight(direction * glm::length(m->state.scene().lights.front().vector));
+    m_impl->sphere = new LightSphere(this);
+    connect(m_impl->sphere, &LightSphere::lightDragged, this, [this](glm::vec3 direction) {
+        if (m_impl->state.scene().lights.empty()) return;
+        m_impl->turnLight(direction * glm::length(m_impl->state.scene().lights.front().vector));
     });
-    connect(m->sphere, &LightSphere::dragFinished, this, [this] { m->finishLight(); });
+    connect(m_impl->sphere, &LightSphere::dragFinished, this, [this] { m_impl->finishLight(); });
     if (openGlSupport().usable)
-        m->showByOpenGl();
+        m_impl->showByOpenGl();
     else
-        m->showByCpu();
-    m->sphere->raise();
-    m->refresh();
+        m_impl->showByCpu();
+    m_impl->sphere->raise();
+    m_impl->refresh();
 }
 
 Viewport::~Viewport() {
     // The views read the state, so they go first.
-    delete m->glView;
-    delete m->cpuView;
+    delete m_impl->glView;
+    delete m_impl->cpuView;
 }
 
 bool Viewport::usesOpenGl() const {
-    return m->glView != nullptr;
+    return m_impl->glView != nullptr;
 }
 
 void Viewport::setScene(const scene::Scene& scene) {
-    m->state.setScene(scene);
-    m->refresh();
+    m_impl->state.setScene(scene);
+    m_impl->refresh();
 }
 
 void Viewport::setLights(const std::vector<scene::Light>& lights) {
-    m->state.setLights(lights);
-    m->refresh();
+    m_impl->state.setLights(lights);
+    m_impl->refresh();
 }
 
 void Viewport::setCamera(const scene::Camera& camera) {
-    m->state.camera = camera;
-    m->refresh();
+    m_impl->state.camera = camera;
+    m_impl->refresh();
 }
 
 const scene::Camera& Viewport::camera() const {
-    return m->state.camera;
+    return m_impl->state.camera;
 }
 
 void Viewport::setPaint(int sample, ViewportPaint paint) {
-    m->state.setPaint(sample, std::move(paint));
-    m->refresh();
+    m_impl->state.setPaint(sample, std::move(paint));
+    m_impl->refresh();
 }
 
 void Viewport::setGradient(int sample, const gradient::Gradient& gradient) {
-    m->state.setGradient(sample, gradient);
-    m->refresh();
+    m_impl->state.setGradient(sample, gradient);
+    m_impl->refresh();
 }
 
 void Viewport::setParams(const methods::ViewAlignedParams& params) {
-    m->state.params = params;
-    m->refresh();
+    m_impl->state.params = params;
+    m_impl->refresh();
 }
 
 void Viewport::setNavigation(Navigation navigation) {
-    m->navigation = navigation;
+    m_impl->navigation = navigation;
 }
 
 void Viewport::setBackground(glm::vec3 color) {
-    m->state.background = color;
-    m->refresh();
+    m_impl->state.background = color;
+    m_impl->refresh();
 }
 
 void Viewport::frameAll() {
-    m->frame(m->state.scene());
+    m_impl->frame(m_impl->state.scene());
 }
 
 QImage Viewport::picture() const {
-    return m->glView ? m->glView->picture() : m->cpuView->picture();
+    return m_impl->glView ? m_impl->glView->picture() : m_impl->cpuView->picture();
 }
 
 std::vector<methods::TexturePlacement> Viewport::placements() const {
-    m->state.follow(size() * devicePixelRatioF());
-    return m->state.placements();
+    m_impl->state.follow(size() * devicePixelRatioF());
+    return m_impl->state.placements();
 }
 
 bool Viewport::event(QEvent* event) {
@@ -230,14 +233,14 @@ bool Viewport::event(QEvent* event) {
         // Numpad keys are views here, whatever the plain digits are shortcuts of.
         const auto* key = static_cast<QKeyEvent*>(event);
         if (key->modifiers() & Qt::KeypadModifier &&
-            keyMoved(m->state.camera, key->key(), key->modifiers(), size()))
+            keyMoved(m_impl->state.camera, key->key(), key->modifiers(), size()))
             event->accept();
     }
     if (event->type() == QEvent::NativeGesture) {
         const auto* gesture = static_cast<QNativeGestureEvent*>(event);
         if (gesture->gestureType() == Qt::ZoomNativeGesture) {
             const float factor = 1 / std::max(0.1f, 1 + float(gesture->value()));
-            m->move(zoomed(m->state.camera, factor, gesture->position(), size()));
+            m_impl->move(zoomed(m_impl->state.camera, factor, gesture->position(), size()));
             return true;
         }
     }
@@ -245,51 +248,51 @@ bool Viewport::event(QEvent* event) {
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
-    if (m->gesture != Gesture::None) return;
-    m->gesture = dragGesture(m->navigation, event->button(), event->modifiers());
-    m->button = event->button();
-    m->pressed = m->last = event->position();
+    if (m_impl->gesture != Gesture::None) return;
+    m_impl->gesture = dragGesture(m_impl->navigation, event->button(), event->modifiers());
+    m_impl->button = event->button();
+    m_impl->pressed = m_impl->last = event->position();
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
-    m->drag(event->position());
+    m_impl->drag(event->position());
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() != m->button) return;
-    m->gesture = Gesture::None;
-    m->finishLight();
+    if (event->button() != m_impl->button) return;
+    m_impl->gesture = Gesture::None;
+    m_impl->finishLight();
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
     // Alt turns a vertical wheel into a horizontal one.
     const QPoint angle = event->angleDelta();
     const QPointF pixels = event->pixelDelta().isNull() ? QPointF(angle) / 4 : QPointF(event->pixelDelta());
-    switch (scrollGesture(m->navigation, event->modifiers())) {
+    switch (scrollGesture(m_impl->navigation, event->modifiers())) {
         case Gesture::Orbit:
-            m->move(orbited(m->state.camera, pixels));
+            m_impl->move(orbited(m_impl->state.camera, pixels));
             break;
         case Gesture::Pan:
-            m->move(panned(m->state.camera, pixels, size()));
+            m_impl->move(panned(m_impl->state.camera, pixels, size()));
             break;
         default: {
             const float factor = wheelZoomFactor(float(angle.y() != 0 ? angle.y() : angle.x()));
-            m->move(zoomed(m->state.camera, factor, event->position(), size()));
+            m_impl->move(zoomed(m_impl->state.camera, factor, event->position(), size()));
         }
     }
     event->accept();
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Home) return m->frame(m->state.scene());
-    if (event->key() == Qt::Key_F && event->modifiers() == Qt::NoModifier) return m->frameUnderCursor();
-    if (const auto camera = keyMoved(m->state.camera, event->key(), event->modifiers(), size()))
-        return m->move(*camera);
+    if (event->key() == Qt::Key_Home) return m_impl->frame(m_impl->state.scene());
+    if (event->key() == Qt::Key_F && event->modifiers() == Qt::NoModifier) return m_impl->frameUnderCursor();
+    if (const auto camera = keyMoved(m_impl->state.camera, event->key(), event->modifiers(), size()))
+        return m_impl->move(*camera);
     QWidget::keyPressEvent(event);
 }
 
 void Viewport::resizeEvent(QResizeEvent*) {
-    m->placeOverlays();
+    m_impl->placeOverlays();
 }
 
 void Viewport::dragEnterEvent(QDragEnterEvent* event) {

@@ -7,9 +7,11 @@
 #include <OpenImageIO/imageio.h>
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <fcntl.h>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <unistd.h>
 
 namespace chiaro {
@@ -22,26 +24,26 @@ namespace {
 class QuietStandardError {
 public:
     QuietStandardError() {
-        const std::lock_guard lock(s_mutex);
-        if (s_depth++ > 0) return;
-        s_saved = ::dup(STDERR_FILENO);
+        const std::lock_guard lock(sharedMutex);
+        if (sharedDepth++ > 0) return;
+        sharedHandle = ::dup(STDERR_FILENO);
         const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-        if (s_saved >= 0 && nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+        if (sharedHandle >= 0 && nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
         if (nowhere >= 0) ::close(nowhere);
     }
     ~QuietStandardError() {
-        const std::lock_guard lock(s_mutex);
-        if (--s_depth > 0 || s_saved < 0) return;
-        ::dup2(s_saved, STDERR_FILENO);
-        ::close(s_saved);
+        const std::lock_guard lock(sharedMutex);
+        if (--sharedDepth > 0 || sharedHandle < 0) return;
+        ::dup2(sharedHandle, STDERR_FILENO);
+        ::close(sharedHandle);
     }
     QuietStandardError(const QuietStandardError&) = delete;
     QuietStandardError& operator=(const QuietStandardError&) = delete;
 
 private:
-    static inline std::mutex s_mutex;
-    static inline int s_depth = 0;
-    static inline int s_saved = -1;
+    static inline std::mutex sharedMutex;
+    static inline int sharedDepth = 0;
+    static inline int sharedHandle = -1;
 };
 
 /// One picture file while it is read: every failure becomes an Error that names it.
