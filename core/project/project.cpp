@@ -183,6 +183,7 @@ Project projectFromJson(const Json& json, const fs::path& path) {
     if (reader.has("image-based")) {
         reader.child("image-based").params(project.imageBased);
         reader.child("image-based").params(project.imageBased.quilt);
+        reader.child("image-based").params(project.coherence);
     }
     return project;
 }
@@ -222,6 +223,7 @@ void writeProject(const fs::path& path, const Project& project) {
     json["view-aligned"] = jsonFromParams(project.viewAligned);
     json["image-based"] = jsonFromParams(project.imageBased);
     json["image-based"].update(jsonFromParams(project.imageBased.quilt));
+    json["image-based"].update(jsonFromParams(project.coherence));
     writeFileAtomically(path, json.dump(2) + "\n");
 }
 

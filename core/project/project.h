@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/gradient/gradient.h"
+#include "core/methods/coherence.h"
 #include "core/methods/image_based.h"
 #include "core/methods/view_aligned.h"
 #include "core/sample/strip.h"
@@ -47,6 +48,7 @@ struct Project {
     synthesis::LevelParams levels;
     methods::ViewAlignedParams viewAligned;
     methods::ImageBasedParams imageBased;
+    methods::CoherenceParams coherence;  ///< of image-based animations
     friend bool operator==(const Project&, const Project&) = default;
 };
 
