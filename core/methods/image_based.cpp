@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <map>
 
 namespace chiaro::methods {
 
@@ -41,9 +42,11 @@ struct ObjectWork {
     synthesis::QuiltTask task;
     synthesis::QuiltParams params;
 
-    ObjectWork(ObjectGuide cut, const ColorImage& sample, const ImageBasedParams& wanted, std::size_t index)
+    ObjectWork(ObjectGuide cut, const SampleTexture& sample, const ImageBasedParams& wanted,
+               std::size_t index)
         : guide(std::move(cut)), params(wanted.quilt) {
-        task.source = &sample;
+        task.source = sample.pixels;
+        task.prepared = sample.prepared;
         task.width = guide.covered.width();
         task.height = guide.covered.height();
         task.valid = &guide.covered;
@@ -57,16 +60,24 @@ struct ObjectWork {
     ObjectWork& operator=(const ObjectWork&) = delete;
 };
 
+/// The search forms that a synthesis makes for itself.
+using OwnSearchTextures = std::map<const ColorImage*, synthesis::SearchTexture>;
+
+SampleTexture prepared(const SampleTexture& sample, OwnSearchTextures& own) {
+    if (sample.prepared) return sample;
+    return {sample.pixels, &own.try_emplace(sample.pixels, *sample.pixels).first->second};
+}
+
 std::vector<std::unique_ptr<ObjectWork>> planned(const scene::GBuffer& gbuffer, const SampleTextures& samples,
-                                                 const ImageBasedParams& params) {
+                                                 const ImageBasedParams& params, OwnSearchTextures& own) {
     std::vector<ObjectGuide> guides = objectGuides(gbuffer, samples.size());
     std::vector<std::unique_ptr<ObjectWork>> works(samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (guides[i].empty()) continue;
-        if (!samples[i] || samples[i]->empty())
+        if (!samples[i].pixels || samples[i].pixels->empty())
             throw Error("object " + std::to_string(i + 1), "wears a sample without a pixel",
                         "choose a strip of at least one pixel");
-        works[i] = std::make_unique<ObjectWork>(std::move(guides[i]), *samples[i], params, i);
+        works[i] = std::make_unique<ObjectWork>(std::move(guides[i]), prepared(samples[i], own), params, i);
     }
     return works;
 }
@@ -90,7 +101,8 @@ ImageBasedTexture synthesizeImageBased(const scene::GBuffer& gbuffer, const Samp
     ImageBasedParams::table().check(params);
     synthesis::QuiltParams::table().check(params.quilt);
     task.checkpoint();
-    auto works = planned(gbuffer, samples, params);
+    OwnSearchTextures own;
+    auto works = planned(gbuffer, samples, params, own);
     std::size_t blocks = 0;
     for (const auto& work : works)
         if (work) blocks += synthesis::blockCount(work->task, work->params);

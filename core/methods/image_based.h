@@ -17,8 +17,17 @@ struct ImageBasedParams {
     friend bool operator==(const ImageBasedParams&, const ImageBasedParams&) = default;
 };
 
-/// One object's paint: the difference texture of its sample, and how large that is decides the window.
-using SampleTextures = std::vector<const ColorImage*>;
+/// One object's paint. What it points to must stay while it is used.
+struct SampleTexture {
+    const ColorImage* pixels = nullptr;  ///< the difference texture of a sample; its width decides the window
+    /// The same prepared for searches: made once, it serves all frames of an animation. Without it every
+    /// synthesis makes one for each different texture
+    const synthesis::SearchTexture* prepared = nullptr;
+
+    SampleTexture(const ColorImage* texture, const synthesis::SearchTexture* search = nullptr)
+        : pixels(texture), prepared(search) {}
+};
+using SampleTextures = std::vector<SampleTexture>;
 
 /// The texture that one object wears in a view: a part of the picture as large as the object's bounding box.
 struct ObjectTexture {
