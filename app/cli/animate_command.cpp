@@ -56,6 +56,7 @@ struct AnimateCommand {
         const FrameRange range = rangeOf();
         const Task task = session.task("animate");
         project::Project project = source.load();
+        if (!coherenceFlags.empty() && !source.methodGiven()) project.method = "image-based";
         for (const auto& apply : coherenceFlags) apply(project.coherence);
         const scene::Path way = pathOf();
         refuseInputs(project, range);

@@ -22,9 +22,11 @@ void PictureOutput::addTo(CLI::App& command) {
     command.add_option("--size", m_size,
                        "WIDTHxHEIGHT, each 1..16384 px, together at most 64 megapixels (default 1024x1024)");
     command.add_option("--background", m_background, "#rrggbb or transparent (default #ffffff)");
-    command.add_option("--aux", m_auxiliary,
-                       "Folder for light.exr, id.png, depth.exr, normal.exr and texture.exr of each picture; "
-                       "light and depth are -1 outside the objects");
+    command.add_option(
+        "--aux", m_auxiliary,
+        "Folder for light.exr, id.png, depth.exr, normal.exr and texture.exr of each picture, of "
+        "a frame with its number and with motion.exr, the way to the next one in px; light and "
+        "depth are -1 outside the objects");
 }
 
 void PictureOutput::check() const {
