@@ -66,6 +66,7 @@ int run(int argc, const char* const* argv) {
     addSampleCommands(root, session);
     addLevelsCommand(root, session);
     addRenderCommand(root, session);
+    addViewsCommand(root, session);
     addDemoCommand(root, session);
     try {
         root.parse(argc, argv);

@@ -1,5 +1,7 @@
 #include "core/views/candidates.h"
 
+#include "core/views/visibility.h"
+
 #include <tbb/parallel_for.h>
 
 #include <cmath>
@@ -11,6 +13,9 @@ namespace {
 
 constexpr int spread = 320;  // directions over the sphere, 6 degrees from the nearest at most
 constexpr std::size_t sampleLimit = 3000;
+// Faces of small meshes may be large and hidden in part, which a few rays miss: those are drawn coarsely.
+constexpr std::size_t exactLimit = 8000;
+constexpr int coarseSize = 128;
 // What a view with n.v = 1 leaves a face to count: enough to prefer some overlap over none.
 constexpr float shown = 0.9f;
 
@@ -53,20 +58,37 @@ CandidateScores::CandidateScores(const Surface& surface, const FaceMask& part, c
                                                          double(sampleLimit);
         if (stands > 0) m_samples.push_back({face, float(stands)});
     }
-    m_seen.resize(m_directions.size() * m_samples.size());
+    m_seen.resize(m_directions.size());
     Task::Steps steps(task, m_directions.size());
     tbb::parallel_for(std::size_t(0), m_directions.size(), [&](std::size_t i) {
-        for (std::size_t s = 0; s < m_samples.size(); ++s)
-            m_seen[i * m_samples.size() + s] = seenAt(m_samples[s], m_directions[i]);
+        m_seen[i] = seenFrom(m_directions[i]);
         steps.done();
     });
 }
 
-float CandidateScores::seenAt(const Sample& sample, const glm::dvec3& direction) const {
-    const double facing = glm::dot(m_surface.normal(sample.face), direction);
-    if (!(facing > m_minimumFacing)) return 0;
-    if (m_drawn != nullptr && m_drawn->hidden(sample.face, direction, facing)) return 0;
-    return float(facing);
+std::vector<float> CandidateScores::seenFrom(const glm::dvec3& direction) const {
+    std::vector<float> seen(m_samples.size());
+    if (m_drawn != nullptr && m_surface.faceCount() <= exactLimit) {
+        View view;
+        view.direction = direction;
+        view.size = coarseSize;
+        const std::vector<std::uint32_t> faces =
+            visibleFaces(*m_drawn, framed(view, m_surface), {m_minimumFacing, nullptr});
+        FaceMask visible(m_surface.faceCount());
+        for (const std::uint32_t face : faces) visible[face] = 1;
+        for (std::size_t i = 0; i < seen.size(); ++i)
+            if (visible[m_samples[i].face] != 0)
+                seen[i] = float(glm::dot(m_surface.normal(m_samples[i].face), direction));
+        return seen;
+    }
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const std::uint32_t face = m_samples[i].face;
+        const double facing = glm::dot(m_surface.normal(face), direction);
+        if (!(facing > m_minimumFacing)) continue;
+        if (m_drawn != nullptr && m_drawn->hidden(face, direction, facing)) continue;
+        seen[i] = float(facing);
+    }
+    return seen;
 }
 
 int CandidateScores::best(double threshold) const {
@@ -74,7 +96,7 @@ int CandidateScores::best(double threshold) const {
     double highest = 0;
     for (std::size_t i = 0; i < m_directions.size(); ++i) {
         if (m_dropped[i]) continue;
-        const std::span<const float> seen = rowOf(i);
+        const std::vector<float>& seen = m_seen[i];
         double promise = 0;
         double improvement = 0;
         for (std::size_t s = 0; s < m_samples.size(); ++s) {
@@ -91,10 +113,10 @@ int CandidateScores::best(double threshold) const {
 }
 
 void CandidateScores::take(const glm::dvec3& direction) {
-    for (Sample& sample : m_samples) {
-        const float seen = seenAt(sample, direction);
-        sample.unseen *= 1 - shown * seen;
-        sample.best = std::max(sample.best, seen);
+    const std::vector<float> seen = seenFrom(direction);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        m_samples[i].unseen *= 1 - shown * seen[i];
+        m_samples[i].best = std::max(m_samples[i].best, seen[i]);
     }
 }
 

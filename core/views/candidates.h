@@ -3,7 +3,6 @@
 #include "core/base/task.h"
 #include "core/views/occluders.h"
 
-#include <span>
 #include <vector>
 
 namespace chiaro::views {
@@ -39,10 +38,8 @@ private:
         float unseen = 1;  ///< how much it still counts
         float best = 0;    ///< n.v of the view that shows it best so far
     };
-    float seenAt(const Sample& sample, const glm::dvec3& direction) const;
-    std::span<const float> rowOf(std::size_t direction) const {
-        return std::span(m_seen).subspan(direction * m_samples.size(), m_samples.size());
-    }
+    /// n.v of each sample from a direction, 0 where hidden.
+    std::vector<float> seenFrom(const glm::dvec3& direction) const;
 
     const Surface& m_surface;
     const Occluders* m_drawn;
@@ -50,7 +47,7 @@ private:
     std::vector<glm::dvec3> m_directions;
     std::vector<bool> m_dropped;
     std::vector<Sample> m_samples;
-    std::vector<float> m_seen;  ///< n.v of each sample from each direction, 0 where hidden
+    std::vector<std::vector<float>> m_seen;  ///< from each direction
 };
 
 }  // namespace chiaro::views

@@ -39,10 +39,11 @@ CoverageReport measureCoverage(const Surface& surface, const ViewPlan& plan) {
         report.views.back().overlap.resize(count);
         for (const std::uint32_t face : plan.groups[i].faces) groupsOf[face].push_back(i);
     }
+    double covered = 0;  // summed as the total is, so that all of it is exactly 1
     for (std::uint32_t face = 0; face < surface.faceCount(); ++face) {
         if (groupsOf[face].empty()) continue;
         const double share = surface.area(face) / surface.totalArea();
-        report.covered += share;
+        covered += surface.area(face);
         int pass = plan.passes;
         for (const std::uint32_t a : groupsOf[face]) {
             pass = std::min(pass, plan.groups[a].pass);
@@ -50,6 +51,7 @@ CoverageReport measureCoverage(const Surface& surface, const ViewPlan& plan) {
         }
         ++report.facesPerPass[std::size_t(pass) - 1];
     }
+    if (surface.totalArea() > 0) report.covered = covered / surface.totalArea();
     return report;
 }
 

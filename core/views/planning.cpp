@@ -14,9 +14,11 @@ namespace {
 
 // Below these shares of the part's area another view, or another pass of the same kind, isn't worth it.
 constexpr double improvementWorthAView = 1e-5;
-constexpr double shareWorthAView = 0.1;
+constexpr double shareWorthAView = 0.25;
 constexpr double shareWorthAPass = 0.05;
 constexpr int viewsPerFurtherPass = 6;
+constexpr int passesOfAKind = 4;
+constexpr int vainTries = 6;  // views from which, against expectation, nothing new was seen
 // The last resort can choose its directions freely, so it doesn't stretch.
 constexpr double facingOfLastResort = 0.3;
 
@@ -44,14 +46,21 @@ public:
     ViewPlan plan(const std::vector<View>& kept) {
         firstPass(kept);
         Drawn drawn = Drawn::Uncovered;
+        int ofThisKind = 0;
         // Progress can't know how many passes there will be; each takes half of what is left of the bar.
         double done = 0.6;
         while (const double before = uncoveredArea()) {
             m_task.report(done);
             done += (1 - done) / 2;
-            furtherPass(drawn);
-            if (before - uncoveredArea() < shareWorthAPass * before) drawn = after(drawn);
+            if (!furtherPass(drawn) && drawn == Drawn::EachAlone) break;
+            const bool worthIt = before - uncoveredArea() >= shareWorthAPass * before;
+            if (worthIt && ++ofThisKind < passesOfAKind) continue;
+            drawn = after(drawn);
+            ofThisKind = 0;
         }
+        // Nothing that a mesh may hold leads here; were it so, the faces would be told of all the same.
+        for (std::uint32_t face = 0; face < m_surface.faceCount(); ++face)
+            if (m_uncovered[face] != 0) m_plan.unreachable.push_back(face);
         m_task.report(1);
         return std::move(m_plan);
     }
@@ -66,12 +75,22 @@ private:
 
     View viewFrom(const glm::dvec3& direction) const {
         View view;
-        view.name = fmt::format("View {}", m_plan.groups.size() + 1);
+        view.name = freeName();
         view.direction = direction;
         view.up = m_params.up;
         view.projection = m_params.projection;
         view.size = m_params.size;
         return framed(view, m_surface);
+    }
+
+    /// Kept views may have taken any number.
+    std::string freeName() const {
+        for (std::size_t number = m_plan.groups.size() + 1;; ++number) {
+            std::string name = fmt::format("View {}", number);
+            if (std::ranges::none_of(m_plan.groups,
+                                     [&](const auto& group) { return group.view.name == name; }))
+                return name;
+        }
     }
 
     void firstPass(const std::vector<View>& kept) {
@@ -113,8 +132,8 @@ private:
         for (const std::uint32_t face : faces) m_uncovered[face] = 0;
     }
 
-    /// Adds views of what is uncovered, until another one would show little of it.
-    void furtherPass(Drawn drawnFaces) {
+    /// Adds views of what is uncovered, until another one would show little of it; false if there are none.
+    bool furtherPass(Drawn drawnFaces) {
         const FaceMask wanted = m_uncovered;
         const bool alone = drawnFaces == Drawn::EachAlone;
         const double facing = alone ? std::max(facingOfLastResort, m_params.epsilon) : m_params.epsilon;
@@ -126,6 +145,7 @@ private:
         ++m_plan.passes;
         const std::size_t first = m_plan.groups.size();
         FaceMask covered(wanted.size());
+        int vain = 0;
         while (m_plan.groups.size() < first + viewsPerFurtherPass) {
             const int best = scores.best(m_plan.groups.size() > first ? shareWorthAView : 0);
             if (best < 0) break;
@@ -133,14 +153,21 @@ private:
             const View view = viewFrom(m_directions[std::size_t(best)]);
             std::vector<std::uint32_t> faces = visibleFaces(drawn, view, {facing, &wanted}, m_task);
             const auto isNew = [&](std::uint32_t face) { return covered[face] == 0; };
-            if (std::ranges::none_of(faces, isNew)) continue;
+            if (std::ranges::none_of(faces, isNew)) {
+                if (++vain == vainTries) break;
+                continue;
+            }
             for (const std::uint32_t face : faces) covered[face] = 1;
             scores.settle(covered);
             add(view, drawnFaces);
             m_plan.groups.back().faces = std::move(faces);
         }
-        if (m_plan.groups.size() == first) --m_plan.passes;
+        if (m_plan.groups.size() == first) {
+            --m_plan.passes;
+            return false;
+        }
         for (std::size_t i = first; i < m_plan.groups.size(); ++i) cover(m_plan.groups[i].faces);
+        return true;
     }
 
     const Surface& m_surface;
