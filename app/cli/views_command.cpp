@@ -29,16 +29,19 @@ public:
         views::View view = m_group.view;
         view.size = thumbnailSide * samplesPerPixel;
         const views::Projector projector(view);
-        const Image<std::uint32_t> all =
-            views::drawFaces(m_surface, view, std::vector<std::uint8_t>(m_surface.faceCount(), 1));
-        const Image<std::uint32_t> group = views::drawFaces(m_surface, view, m_inGroup);
+        const views::FaceMap all =
+            views::drawFaces(m_surface, view, views::FaceMask(m_surface.faceCount(), 1));
+        const views::FaceMap group = views::drawFaces(m_surface, view, m_inGroup);
         // What a further pass paints lies behind other faces: it shows through them.
         const bool behind = m_group.pass > 1;
+        const auto coincident = float(1e-5 * m_surface.radius());
         ColorImage picture(thumbnailSide, thumbnailSide, glm::vec3(0));
         for (int y = 0; y < view.size; ++y)
             for (int x = 0; x < view.size; ++x) {
-                const bool painted = group(x, y) != views::noFace && (behind || isPainted(all(x, y)));
-                const std::uint32_t face = painted && behind ? group(x, y) : all(x, y);
+                // Of two faces that coincide, the painted one is the one to see.
+                const bool onTop = group.depth(x, y) <= all.depth(x, y) + coincident;
+                const bool painted = group.face(x, y) != views::noFace && (behind || onTop);
+                const std::uint32_t face = painted ? group.face(x, y) : all.face(x, y);
                 picture(x / samplesPerPixel, y / samplesPerPixel) += color(face, painted, behind, projector);
             }
         for (glm::vec3& pixel : picture.pixels()) pixel /= float(samplesPerPixel * samplesPerPixel);
@@ -46,8 +49,6 @@ public:
     }
 
 private:
-    bool isPainted(std::uint32_t face) const { return m_inGroup[face] != 0; }
-
     glm::vec3 color(std::uint32_t face, bool painted, bool behind, const views::Projector& projector) const {
         if (face == views::noFace) return glm::vec3(1);
         constexpr glm::vec3 tint(0.93f, 0.62f, 0.24f);
@@ -60,7 +61,7 @@ private:
 
     const views::Surface& m_surface;
     const views::FaceGroup& m_group;
-    std::vector<std::uint8_t> m_inGroup;
+    views::FaceMask m_inGroup;
 };
 
 const char* nameOf(views::Drawn drawn) {

@@ -4,10 +4,10 @@
 
 namespace chiaro::views {
 
-Image<std::uint32_t> drawFaces(const Surface& surface, const View& view,
-                               const std::vector<std::uint8_t>& drawn) {
+FaceMap drawFaces(const Surface& surface, const View& view, const FaceMask& drawn) {
     const ProjectedMesh projected(surface, view);
-    Image<std::uint32_t> map(view.size, view.size, noFace);
+    FaceMap map{Image<std::uint32_t>(view.size, view.size, noFace),
+                ScalarImage(view.size, view.size, std::numeric_limits<float>::infinity())};
     Image<double> depths(view.size, view.size, std::numeric_limits<double>::infinity());
     for (std::uint32_t face = 0; face < surface.faceCount(); ++face) {
         if (drawn[face] == 0) continue;
@@ -16,14 +16,15 @@ Image<std::uint32_t> drawFaces(const Surface& surface, const View& view,
         scan->scan(projected.boxOf(face), [&](int x, int y, double depth) {
             if (!(depth < depths(x, y))) return;
             depths(x, y) = depth;
-            map(x, y) = face;
+            map.face(x, y) = face;
+            map.depth(x, y) = float(depth);
         });
     }
     return map;
 }
 
-Image<std::uint32_t> drawGroup(const Surface& surface, const FaceGroup& group) {
-    std::vector<std::uint8_t> drawn(surface.faceCount());
+FaceMap drawGroup(const Surface& surface, const FaceGroup& group) {
+    FaceMask drawn(surface.faceCount());
     for (const std::uint32_t face : group.faces) drawn[face] = 1;
     return drawFaces(surface, group.view, drawn);
 }

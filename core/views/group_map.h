@@ -1,20 +1,25 @@
 #pragma once
 
 #include "core/base/image.h"
+#include "core/views/occluders.h"
 #include "core/views/planning.h"
 
 namespace chiaro::views {
 
-/// What GroupMap's texels hold where no face of the group lies.
+/// Stands for "no face".
 inline constexpr std::uint32_t noFace = 0xFFFFFFFF;
 
-/// Draws a group's faces, and nothing else, into its view's map: size x size texels, top row first, each with
-/// the face whose projection holds the texel's centre, else noFace. Where adjacent faces overlap, the nearest
-/// one; at equal depth, the first. Thread-safe.
-Image<std::uint32_t> drawGroup(const Surface& surface, const FaceGroup& group);
+/// What a view's map shows at its texels' centres, top row first.
+struct FaceMap {
+    Image<std::uint32_t> face;  ///< of the surface; noFace where nothing was drawn
+    ScalarImage depth;  ///< in front of the eye, units of the object; infinity where nothing was drawn
+};
 
-/// Draws any faces (`drawn`, one value a face, not 0 for those to draw) as a view sees them, both sides.
-Image<std::uint32_t> drawFaces(const Surface& surface, const View& view,
-                               const std::vector<std::uint8_t>& drawn);
+/// Draws a group's faces, and nothing else, into its view's map of size x size texels. Where adjacent faces
+/// overlap, the nearest one shows; at equal depth, the first. Thread-safe.
+FaceMap drawGroup(const Surface& surface, const FaceGroup& group);
+
+/// Draws any faces (`drawn` not 0) as a view sees them, both sides.
+FaceMap drawFaces(const Surface& surface, const View& view, const FaceMask& drawn);
 
 }  // namespace chiaro::views
