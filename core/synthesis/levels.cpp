@@ -51,38 +51,31 @@ ColorImage sectionTexture(const ColorImage& strip, const std::vector<glm::vec3>&
 
 // One slice in the making.
 struct Level {
-    ColorImage source;
+    const LevelSource& source;
     QuiltTask task;
-    QuiltParams params;
 };
 
-std::vector<Level> prepareLevels(const ColorImage& strip, const std::vector<glm::vec3>& gradient,
-                                 const LevelParams& params) {
-    std::vector<Level> levels(std::size_t(params.count));
-    for (int i = 0; i < params.count; ++i) {
-        Level& level = levels[std::size_t(i)];
-        level.params = params.quilt;
-        level.params.seed = Random(params.quilt.seed, std::uint64_t(i)).bits();
-        const int block = std::min(params.quilt.block, strip.height());
-        level.source =
-            sectionTexture(strip, gradient, params, i, sectionColumns(strip.width(), params.count, i, block));
-        level.task.source = &level.source;
-        level.task.width = level.task.height = params.size;
+std::vector<Level> prepareLevels(const std::vector<LevelSource>& sources, int size) {
+    std::vector<Level> levels;
+    for (const LevelSource& source : sources) {
+        Level& level = levels.emplace_back(Level{source, {}});
+        level.task.source = &source.texture;
+        level.task.width = level.task.height = size;
         level.task.variety = levelVariety;
     }
     return levels;
 }
 
 QuiltResult quiltLevel(const Level& level, Tiling tiling, Task::Steps& steps) {
-    if (tiling == Tiling::Seam) return quiltTileable(level.task, level.params, steps);
-    QuiltResult result = quilt(level.task, level.params, steps);
+    if (tiling == Tiling::Seam) return quiltTileable(level.task, level.source.quilt, steps);
+    QuiltResult result = quilt(level.task, level.source.quilt, steps);
     result.texture = tiledByMask(result.texture);
     return result;
 }
 
 std::size_t levelBlockCount(const Level& level, Tiling tiling) {
-    return tiling == Tiling::Seam ? tileableBlockCount(level.task, level.params)
-                                  : blockCount(level.task, level.params);
+    return tiling == Tiling::Seam ? tileableBlockCount(level.task, level.source.quilt)
+                                  : blockCount(level.task, level.source.quilt);
 }
 
 QuiltReport joined(const std::vector<QuiltResult>& results) {
@@ -116,15 +109,30 @@ const ParameterTable<LevelParams>& LevelParams::table() {
     return table;
 }
 
-LevelStack makeLevels(const ColorImage& strip, const std::vector<glm::vec3>& gradient,
-                      const LevelParams& params, const Task& task) {
+std::vector<LevelSource> levelSources(const ColorImage& strip, const std::vector<glm::vec3>& gradient,
+                                      const LevelParams& params) {
     if (strip.empty()) throw Error("strip", "is empty", "levels need a strip of paint");
     if (gradient.size() != std::size_t(strip.width()))
         throw Error("gradient", fmt::format("has {} colours", gradient.size()),
                     fmt::format("give one for each of the strip's {} columns", strip.width()));
     LevelParams::table().check(params);
     QuiltParams::table().check(params.quilt);
-    std::vector<Level> levels = prepareLevels(strip, gradient, params);
+    std::vector<LevelSource> sources(std::size_t(params.count));
+    const int block = std::min(params.quilt.block, strip.height());
+    for (int i = 0; i < params.count; ++i) {
+        LevelSource& source = sources[std::size_t(i)];
+        source.quilt = params.quilt;
+        source.quilt.seed = Random(params.quilt.seed, std::uint64_t(i)).bits();
+        source.texture =
+            sectionTexture(strip, gradient, params, i, sectionColumns(strip.width(), params.count, i, block));
+    }
+    return sources;
+}
+
+LevelStack makeLevels(const ColorImage& strip, const std::vector<glm::vec3>& gradient,
+                      const LevelParams& params, const Task& task) {
+    const std::vector<LevelSource> sources = levelSources(strip, gradient, params);
+    const std::vector<Level> levels = prepareLevels(sources, params.size);
     std::size_t blocks = 0;
     for (const Level& level : levels) blocks += levelBlockCount(level, params.tiling);
     Task::Steps steps(task, blocks);

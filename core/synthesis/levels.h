@@ -38,6 +38,17 @@ struct LevelStack {
     QuiltReport report;  ///< over all levels
 };
 
+/// What one level is quilted from.
+struct LevelSource {
+    ColorImage texture;  ///< a section of the strip less its base, [-1, 1]
+    QuiltParams quilt;   ///< with a seed of its own
+};
+
+/// The sources of all levels, darkest first; see makeLevels, which quilts one square from each. Throws Error
+/// as it does.
+std::vector<LevelSource> levelSources(const ColorImage& strip, const std::vector<glm::vec3>& gradient,
+                                      const LevelParams& params);
+
 /// Quilts a level from each section of the strip. `strip` is W x H in [0, 1]; `gradient` its W colours
 /// G(u(x)). A section narrower than a block and a half is widened about its centre to that, as far as the
 /// strip goes; a block that doesn't fit even so is made smaller (see fittedBlock), so that every strip gives
