@@ -1,0 +1,261 @@
+#include "core/methods/view_textures.h"
+
+#include "core/base/random.h"
+#include "core/methods/view_map.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace chiaro::methods {
+
+namespace {
+
+/// A view copies from another that sees the face at least this well in proportion; from a worse one the
+/// strokes would come stretched.
+constexpr float goodEnough = 0.6f;
+
+/// Where a texel's texture comes from in a view that is done.
+struct Copy {
+    std::uint32_t group;
+    glm::vec2 position;  ///< in that view's map
+};
+
+/// Views in the order of their synthesis (§4.3.5).
+std::vector<std::size_t> synthesisOrder(const PlannedObject& object) {
+    const views::CoverageReport report = views::measureCoverage(object.surface, object.plan);
+    const std::size_t count = report.views.size();
+    std::vector<double> attraction(count, 0);
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j)
+            if (i != j) attraction[i] += report.views[i].overlap[j];
+    std::vector<std::size_t> order;
+    std::vector<bool> isDone(count, false);
+    while (order.size() < count) {
+        std::size_t next = count;
+        for (std::size_t i = 0; i < count; ++i)
+            if (!isDone[i] && (next == count || attraction[i] > attraction[next])) next = i;
+        if (order.empty()) std::ranges::fill(attraction, 0.0);
+        for (std::size_t i = 0; i < count; ++i) attraction[i] += report.views[next].overlap[i];
+        isDone[next] = true;
+        order.push_back(next);
+    }
+    return order;
+}
+
+/// Sums over the squares of 2 radius + 1 texels around each texel.
+Image<int> boxSums(const Image<int>& image, int radius) {
+    Image<int> rows(image.width(), image.height()), sums(image.width(), image.height());
+    const auto run = [radius](int length, const auto& from, const auto& to) {
+        int sum = 0;
+        for (int i = 0; i < std::min(radius, length); ++i) sum += from(i);
+        for (int i = 0; i < length; ++i) {
+            if (i + radius < length) sum += from(i + radius);
+            if (i - radius - 1 >= 0) sum -= from(i - radius - 1);
+            to(i) = sum;
+        }
+    };
+    for (int y = 0; y < image.height(); ++y)
+        run(
+            image.width(), [&](int x) { return image(x, y); }, [&](int x) -> int& { return rows(x, y); });
+    for (int x = 0; x < image.width(); ++x)
+        run(
+            image.height(), [&](int y) { return rows(x, y); }, [&](int y) -> int& { return sums(x, y); });
+    return sums;
+}
+
+class ViewSynthesis {
+public:
+    ViewSynthesis(const PlannedObject& object, const std::vector<synthesis::LevelSource>& sources,
+                  bool propagate)
+        : m_object(object), m_sources(sources), m_propagate(propagate), m_faceGroups(object) {
+        for (const synthesis::LevelSource& source : sources) m_prepared.emplace_back(source.texture);
+        m_textures.views.resize(object.plan.groups.size());
+        m_maps.resize(object.plan.groups.size());
+        m_isDone.resize(object.plan.groups.size(), false);
+    }
+
+    ViewTextures run(const Task& task) {
+        const std::vector<std::size_t> order = synthesisOrder(m_object);
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            task.checkpoint();
+            make(order[i], task.part(double(i) / double(order.size()), double(i + 1) / double(order.size())));
+        }
+        synthesis::QuiltResult all;
+        all.blocks = std::move(m_blocks);
+        m_textures.report = all.report();
+        return std::move(m_textures);
+    }
+
+private:
+    void make(std::size_t group, const Task& task) {
+        m_maps[group] = ViewMap::of(m_object, group);
+        const ViewMap& map = m_maps[group];
+        m_isDone[group] = true;
+        if (map.face.empty()) return;
+        const Image<std::optional<Copy>> copies =
+            m_propagate ? copiesFor(group) : Image<std::optional<Copy>>();
+        std::vector<synthesis::QuiltResult> made(m_sources.size());
+        Task::Steps steps(task, m_sources.size());
+        tbb::parallel_for(std::size_t(0), m_sources.size(), [&](std::size_t level) {
+            made[level] = quilted(group, level, copies);
+            steps.done();
+        });
+        ViewTexture& texture = m_textures.views[group];
+        texture.origin = map.origin;
+        for (synthesis::QuiltResult& result : made) {
+            Image<PackedTexel>& texels =
+                texture.levels.emplace_back(result.texture.width(), result.texture.height());
+            std::ranges::transform(result.texture.pixels(), texels.pixels().begin(), packed);
+            m_blocks.insert(m_blocks.end(), result.blocks.begin(), result.blocks.end());
+        }
+        if (m_propagate) copyBack(group, made);
+        m_mappings.clear();
+    }
+
+    synthesis::QuiltResult quilted(std::size_t group, std::size_t level,
+                                   const Image<std::optional<Copy>>& copies) const {
+        const ViewMap& map = m_maps[group];
+        synthesis::QuiltTask task;
+        task.source = &m_sources[level].texture;
+        task.prepared = &m_prepared[level];
+        task.width = map.face.width();
+        task.height = map.face.height();
+        task.valid = &map.covered;
+        task.variety = synthesis::levelVariety;
+        ColorImage filled;
+        synthesis::PixelMask filledWhere;
+        if (!copies.empty()) {
+            filled = ColorImage(task.width, task.height);
+            filledWhere = synthesis::PixelMask(task.width, task.height);
+            for (std::size_t i = 0; i < copies.pixelCount(); ++i)
+                if (const auto& copy = copies.pixels()[i]) {
+                    filled.pixels()[i] = m_textures.views[copy->group].at(level, copy->position);
+                    filledWhere.pixels()[i] = 1;
+                }
+            task.filled = &filled;
+            task.filledWhere = &filledWhere;
+        }
+        synthesis::QuiltParams params = m_sources[level].quilt;
+        params.seed = Random(params.seed, group).bits();
+        return synthesis::quilt(task, synthesis::fittedBlock(params, task));
+    }
+
+    /// Where each texel of a view is to be copied from: from the view that sees its face best among those
+    /// that are done, where that one sees it well enough. Single texels follow most of their neighbours.
+    Image<std::optional<Copy>> copiesFor(std::size_t group) {
+        const ViewMap& map = m_maps[group];
+        Image<std::optional<Copy>> copies(map.face.width(), map.face.height());
+        Image<int> covered(map.face.width(), map.face.height()), wanted = covered;
+        for (int y = 0; y < map.face.height(); ++y)
+            for (int x = 0; x < map.face.width(); ++x) {
+                if (!map.covered(x, y)) continue;
+                covered(x, y) = 1;
+                float ratio = 0;
+                copies(x, y) = bestCopy(group, map.face(x, y), map.center(x, y), ratio);
+                wanted(x, y) = copies(x, y) && ratio >= goodEnough;
+            }
+        const int radius = std::max(m_sources.front().quilt.block / 4, 1);
+        const Image<int> coveredSums = boxSums(covered, radius), wantedSums = boxSums(wanted, radius);
+        for (std::size_t i = 0; i < copies.pixelCount(); ++i)
+            if (2 * wantedSums.pixels()[i] < coveredSums.pixels()[i]) copies.pixels()[i].reset();
+        return copies;
+    }
+
+    std::optional<Copy> bestCopy(std::size_t group, std::uint32_t face, glm::vec2 position, float& ratio) {
+        const FaceGroups::Membership* best = nullptr;
+        float own = 0;
+        for (const FaceGroups::Membership& one : m_faceGroups.of(face)) {
+            if (one.group == group)
+                own = one.facing;
+            else if (m_isDone[one.group] && (!best || one.facing > best->facing))
+                best = &one;
+        }
+        if (!best) return {};
+        const auto there = mapping(group, best->group).map(face, position);
+        if (!there) return {};
+        ratio = best->facing / own;
+        return Copy{best->group, *there};
+    }
+
+    /// Copies what was quilted anew into the views that were done before.
+    void copyBack(std::size_t group, const std::vector<synthesis::QuiltResult>& made) {
+        const ViewMap& newMap = m_maps[group];
+        for (std::size_t other = 0; other < m_maps.size(); ++other) {
+            if (other == group || !m_isDone[other] || m_maps[other].face.empty()) continue;
+            ViewMapping& way = mapping(other, group);
+            const ViewMap& map = m_maps[other];
+            for (int y = 0; y < map.face.height(); ++y)
+                for (int x = 0; x < map.face.width(); ++x) {
+                    if (!map.covered(x, y) || !isIn(map.face(x, y), group)) continue;
+                    const auto there = way.map(map.face(x, y), map.center(x, y));
+                    if (!there) continue;
+                    const glm::ivec2 texel = glm::ivec2(glm::floor(*there)) - newMap.origin;
+                    if (!newMap.face.contains(texel.x, texel.y) || !newMap.covered(texel.x, texel.y))
+                        continue;
+                    for (std::size_t level = 0; level < made.size(); ++level)
+                        if (made[level].origin(texel.x, texel.y).x >= 0)
+                            m_textures.views[other].levels[level](x, y) =
+                                packed(m_textures.views[group].at(level, *there));
+                }
+        }
+    }
+
+    bool isIn(std::uint32_t face, std::size_t group) const {
+        return std::ranges::any_of(m_faceGroups.of(face),
+                                   [group](const auto& one) { return one.group == group; });
+    }
+
+    ViewMapping& mapping(std::size_t from, std::size_t to) {
+        return m_mappings.try_emplace({from, to}, m_object, from, to).first->second;
+    }
+
+    const PlannedObject& m_object;
+    const std::vector<synthesis::LevelSource>& m_sources;
+    bool m_propagate;
+    FaceGroups m_faceGroups;
+    std::vector<synthesis::SearchTexture> m_prepared;
+    std::vector<ViewMap> m_maps;
+    std::vector<bool> m_isDone;
+    std::map<std::pair<std::size_t, std::size_t>, ViewMapping> m_mappings;
+    std::vector<synthesis::PlacedBlock> m_blocks;
+    ViewTextures m_textures;
+};
+
+}  // namespace
+
+std::shared_ptr<const PlannedObject> planObject(std::shared_ptr<const scene::Mesh> mesh,
+                                                const views::ViewParams& params,
+                                                const std::vector<views::View>& kept, const Task& task) {
+    views::Surface surface(std::move(mesh));
+    views::ViewPlan plan = views::planViews(surface, params, kept, task);
+    return std::make_shared<const PlannedObject>(PlannedObject{std::move(surface), std::move(plan)});
+}
+
+PackedTexel packed(glm::vec3 difference) {
+    return PackedTexel(glm::round(glm::clamp(difference, -1.0f, 1.0f) * 32767.0f));
+}
+
+glm::vec3 unpacked(PackedTexel texel) {
+    return glm::vec3(texel) / 32767.0f;
+}
+
+glm::vec3 ViewTexture::at(std::size_t level, glm::vec2 position) const {
+    const Image<PackedTexel>& texels = levels[level];
+    const glm::vec2 last(texels.width() - 1, texels.height() - 1);
+    const glm::vec2 place = glm::clamp(position - glm::vec2(origin) - 0.5f, glm::vec2(0), last);
+    const glm::ivec2 base(place);
+    const glm::vec2 t = place - glm::vec2(base);
+    const glm::ivec2 next = glm::min(base + 1, glm::ivec2(last));
+    return glm::mix(glm::mix(unpacked(texels(base.x, base.y)), unpacked(texels(next.x, base.y)), t.x),
+                    glm::mix(unpacked(texels(base.x, next.y)), unpacked(texels(next.x, next.y)), t.x), t.y);
+}
+
+ViewTextures synthesizeViews(const PlannedObject& object, const std::vector<synthesis::LevelSource>& sources,
+                             bool propagate, const Task& task) {
+    return ViewSynthesis(object, sources, propagate).run(task);
+}
+
+}  // namespace chiaro::methods
