@@ -19,4 +19,7 @@ struct ObjectGuide {
 /// Throws Error when it shows another object.
 std::vector<ObjectGuide> objectGuides(const scene::GBuffer& gbuffer, std::size_t objects);
 
+/// L' (§4.1): the mean light of the object's pixels in a part of the box; 0 without one.
+double meanLight(const ObjectGuide& guide, glm::ivec2 position, glm::ivec2 size);
+
 }  // namespace chiaro::methods
