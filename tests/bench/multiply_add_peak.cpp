@@ -71,18 +71,13 @@ __attribute__((target("sse4.1"))) double runSse4() {
 }
 
 double onAllCores(double (*run)()) {
-    using Clock = std::chrono::steady_clock;
-    double best = 0;
-    for (int attempt = 0; attempt < 5; ++attempt) {
-        std::atomic<double> done = 0;
-        const auto begin = Clock::now();
-        std::vector<std::jthread> threads;
-        for (unsigned i = 0; i < std::max(std::thread::hardware_concurrency(), 1u); ++i)
-            threads.emplace_back([&] { done += run(); });
-        threads.clear();
-        best = std::max(best, done / std::chrono::duration<double>(Clock::now() - begin).count());
-    }
-    return best;
+    std::atomic<double> done = 0;
+    const auto begin = std::chrono::steady_clock::now();
+    std::vector<std::jthread> threads;
+    for (unsigned i = 0; i < std::max(std::thread::hardware_concurrency(), 1u); ++i)
+        threads.emplace_back([&] { done += run(); });
+    threads.clear();
+    return done / std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 }  // namespace
