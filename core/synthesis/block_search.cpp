@@ -8,7 +8,8 @@ namespace chiaro::synthesis {
 
 namespace {
 
-constexpr std::size_t draftPlaces = 12;
+// A draft looks closely at so many places, the best of at least so many choices.
+constexpr std::size_t draftPlaces = 16;
 constexpr std::size_t draftChoices = 4 * draftPlaces;
 
 // What an area holds of every second position in each direction.
@@ -51,7 +52,7 @@ public:
         const auto area = halfArea(m_query.candidates);
         if (!area || std::size_t(area->width) * std::size_t(area->height) < 4 * draftPlaces)
             return std::nullopt;
-        for (const glm::ivec2& place : promising(*area)) lookAround(place, exact);
+        for (const glm::ivec2& place : promising(*area, random)) lookAround(place, exact);
         const double smallest = std::ranges::min(m_found, {}, &Found::error).error;
         if (std::isinf(smallest)) return std::nullopt;
         std::erase_if(m_found, [limit = smallest * (1 + m_query.tolerance)](const Found& found) {
@@ -67,14 +68,14 @@ private:
     };
 
     // The best places at half the size, best first, at least a look apart.
-    std::vector<glm::ivec2> promising(const CandidateArea& area) {
+    std::vector<glm::ivec2> promising(const CandidateArea& area, Random random) {
         for (const SearchTemplate& goal : m_query.templates) m_half.add(halved(goal.pixels), goal.weight);
         std::vector<CandidateArea> excluded;
         for (const CandidateArea& full : m_query.excluded)
             if (const auto half = halfArea(full)) excluded.push_back(*half);
         m_half.compute(area, excluded);
         std::vector<Found> places;
-        for (const std::uint32_t place : bestOfHalf()) {
+        for (const std::uint32_t place : bestOfHalf(random)) {
             const glm::ivec2 position = positionOf(area, place);
             places.push_back({m_half.at(position.x - area.x, position.y - area.y), 2 * position});
         }
@@ -92,11 +93,24 @@ private:
         return chosen;
     }
 
-    // At least draftChoices places when there are so many, and not many more.
-    std::vector<std::uint32_t>& bestOfHalf() {
-        for (double tolerance = 0.125; tolerance < 4; tolerance *= 2)
+    // At least draftChoices places when there are so many.
+    std::vector<std::uint32_t>& bestOfHalf(Random random) {
+        if (auto& places = m_half.best(0.125); places.size() >= draftChoices) {
+            thinOut(places, random);
+            return places;
+        }
+        for (double tolerance = 0.25; tolerance < 4; tolerance *= 2)
             if (auto& places = m_half.best(tolerance); places.size() >= draftChoices) return places;
         return m_half.best(4);
+    }
+
+    // Where very many are about as good, as in a flat texture, a few from everywhere stand for all.
+    static void thinOut(std::vector<std::uint32_t>& places, Random random) {
+        const std::size_t step = std::max<std::size_t>(places.size() / (4 * draftChoices), 1);
+        const std::size_t first = random.below(step);
+        std::size_t kept = 0;
+        for (std::size_t i = first; i < places.size(); i += step) places[kept++] = places[i];
+        places.resize(kept);
     }
 
     void lookAround(const glm::ivec2& place, CandidateErrors& exact) {

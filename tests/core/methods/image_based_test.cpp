@@ -160,7 +160,7 @@ TEST(ImageBased, ADraftsSeamsAreAlmostAsGood) {
 
 TEST(ImageBased, ADraftsSeamsAreAlmostAsGoodOnRealStrips) {
     CHIARO_NEEDS_SHARED_DATA();
-    for (const char* name : {"oil_flying_dutchman.png", "wc_blue_19.png", "hatch_tam_gray.png"}) {
+    for (const char* name : {"oil_flying_dutchman.png", "wc_blue_19.png", "graphite_edge_gray.png"}) {
         const ColorImage strip = sample::readStrip(test::sharedData() / "samples" / name);
         EXPECT_LT(draftError(gradient::separate(strip).texture, 32), 1.15) << name;
     }
