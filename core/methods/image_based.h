@@ -13,6 +13,7 @@ namespace chiaro::methods {
 /// whether or not a mesh made it.
 struct ImageBasedParams {
     int window = 4;  ///< k: how far from its light's place in the sample a block may come, in blocks, 0..64
+    bool draft = false;  ///< search faster and less closely, for a picture while the artist drags
     synthesis::QuiltParams quilt;
     static const ParameterTable<ImageBasedParams>& table();  ///< all but `quilt`
     friend bool operator==(const ImageBasedParams&, const ImageBasedParams&) = default;

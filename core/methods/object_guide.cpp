@@ -134,4 +134,16 @@ void extend(ObjectGuide& guide, const ObjectGuide& other) {
     guide = std::move(both);
 }
 
+double meanLight(const ObjectGuide& guide, glm::ivec2 position, glm::ivec2 size) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (int y = position.y; y < position.y + size.y; ++y)
+        for (int x = position.x; x < position.x + size.x; ++x) {
+            if (!guide.covered(x, y)) continue;
+            sum += double(guide.light(x, y));
+            ++count;
+        }
+    return count > 0 ? sum / double(count) : 0;
+}
+
 }  // namespace chiaro::methods

@@ -23,4 +23,7 @@ std::vector<ObjectGuide> objectGuides(const scene::GBuffer& gbuffer, std::size_t
 /// where both cover, the guide keeps its own.
 void extend(ObjectGuide& guide, const ObjectGuide& other);
 
+/// L' (§4.1): the mean light of the object's pixels in a part of the box; 0 without one.
+double meanLight(const ObjectGuide& guide, glm::ivec2 position, glm::ivec2 size);
+
 }  // namespace chiaro::methods

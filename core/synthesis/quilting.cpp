@@ -25,9 +25,14 @@ public:
           m_own(task.prepared ? std::nullopt : std::optional<SearchTexture>(*task.source)),
           m_source(task.prepared ? *task.prepared : *m_own),
           m_made(task.width, task.height),
+          m_under(task.width, task.height, Under::Nothing),
           m_placed(std::size_t(grid.count())) {
         m_result.texture = ColorImage(task.width, task.height, glm::vec3(0));
         m_result.origin = Image<glm::i16vec2>(task.width, task.height, glm::i16vec2(-1));
+        if (task.valid)
+            std::ranges::transform(task.valid->pixels(), m_under.pixels().begin(), [](std::uint8_t valid) {
+                return valid ? Under::Nothing : Under::Outside;
+            });
         if (task.filled) takeFilled();
     }
 
@@ -59,14 +64,13 @@ private:
     void takeFilled() {
         for (int y = 0; y < m_task.height; ++y)
             for (int x = 0; x < m_task.width; ++x) {
-                if (!valid({x, y}) || !(*m_task.filledWhere)(x, y)) continue;
+                if (m_under(x, y) == Under::Outside || !(*m_task.filledWhere)(x, y)) continue;
                 m_result.texture(x, y) = (*m_task.filled)(x, y);
                 m_made(x, y) = m_source.rounded((*m_task.filled)(x, y));
                 m_made(x, y).counts = true;
+                m_under(x, y) = Under::Texture;
             }
     }
-
-    bool valid(glm::ivec2 pixel) const { return !m_task.valid || (*m_task.valid)(pixel.x, pixel.y) != 0; }
 
     glm::ivec2 pixelAt(const BlockSite& site, int x, int y) const {
         glm::ivec2 pixel = site.position + glm::ivec2(x, y);
@@ -89,10 +93,9 @@ private:
         Image<SearchPixel>& goal = work.templates.front().pixels;
         goal = Image<SearchPixel>(site.size.x, site.size.y);
         eachPixel(site, [&](int x, int y, glm::ivec2 pixel) {
-            const SearchPixel& made = m_made(pixel.x, pixel.y);
-            goal(x, y) = made;
-            missing |= !made.counts && valid(pixel);
-            work.under(x, y) = made.counts ? Under::Texture : valid(pixel) ? Under::Nothing : Under::Outside;
+            goal(x, y) = m_made(pixel.x, pixel.y);
+            work.under(x, y) = m_under(pixel.x, pixel.y);
+            missing |= work.under(x, y) == Under::Nothing;
         });
         return missing;
     }
@@ -101,7 +104,7 @@ private:
         if (m_task.previous && m_task.previousWeight > 0) addPrevious(site, work);
         const CandidateArea area = candidates(site);
         const auto excluded = excludedAround(usedNearby(site), area, m_params.block);
-        return findBlock(m_source, {work.templates, area, excluded, m_params.tolerance},
+        return findBlock(m_source, {work.templates, area, excluded, m_params.tolerance, m_task.draft},
                          Random(m_params.seed, std::uint64_t(site.index)), work.memory);
     }
 
@@ -154,12 +157,12 @@ private:
 
     void copy(const PlacedBlock& placed, const Image<std::uint8_t>& stays) {
         eachPixel(placed.site, [&](int x, int y, glm::ivec2 pixel) {
-            if (stays(x, y) || !valid(pixel)) return;
+            if (stays(x, y) || m_under(pixel.x, pixel.y) == Under::Outside) return;
             const glm::ivec2 from = placed.source + glm::ivec2(x, y);
+            m_under(pixel.x, pixel.y) = Under::Texture;
             m_result.texture(pixel.x, pixel.y) = (*m_task.source)(from.x, from.y);
             m_result.origin(pixel.x, pixel.y) = glm::i16vec2(from);
             m_made(pixel.x, pixel.y) = m_source.pixels()(from.x, from.y);
-            m_made(pixel.x, pixel.y).counts = true;
         });
     }
 
@@ -169,6 +172,7 @@ private:
     std::optional<SearchTexture> m_own;  // where the task has none
     const SearchTexture& m_source;
     Image<SearchPixel> m_made;  // the picture as the search compares it; counts where there is something
+    Image<Under> m_under;       // what each pixel is by now
     QuiltResult m_result;
     std::vector<std::optional<PlacedBlock>> m_placed;
     tbb::enumerable_thread_specific<Workspace> m_workspaces;

@@ -62,6 +62,7 @@ struct QuiltTask {
     /// Blocks within which a place of the source isn't used twice, where there is choice: against a pattern
     /// that comes back every few blocks; 0 lets it
     int variety = 0;
+    bool draft = false;  ///< search faster and less closely, see findBlock
     /// Which source positions a block may come from, of those at which it lies inside the source; all without
     /// it. Called from several threads at once.
     std::function<CandidateArea(const BlockSite&)> candidates;

@@ -89,7 +89,7 @@ private:
         const auto stays = boundaryCut(m_under, error, m_grid.widestOverlap());
         for (int y = 0; y < site.size.y; ++y)
             for (int x = 0; x < site.size.x; ++x) {
-                if (stays(x, y)) continue;
+                if (stays(x, y) || !validAt(site, x, y)) continue;
                 at(site, x, y) = sourceAt(placed, x, y);
                 madeAt(site, x, y) = 1;
             }
@@ -109,6 +109,10 @@ private:
         const glm::ivec2 pixel = wrapped(site, x, y);
         return m_made(pixel.x, pixel.y);
     }
+    bool validAt(const BlockSite& site, int x, int y) const {
+        const glm::ivec2 pixel = wrapped(site, x, y);
+        return !m_task.valid || (*m_task.valid)(pixel.x, pixel.y) != 0;
+    }
 
     bool look(const BlockSite& site) {
         bool missing = false;
@@ -116,8 +120,9 @@ private:
         m_goal = cv::Mat(site.size.y, site.size.x, CV_32FC3);
         for (int y = 0; y < site.size.y; ++y)
             for (int x = 0; x < site.size.x; ++x) {
-                missing |= !madeAt(site, x, y);
-                m_under(x, y) = madeAt(site, x, y) ? Under::Texture : Under::Nothing;
+                const bool made = madeAt(site, x, y) != 0;
+                missing |= !made && validAt(site, x, y);
+                m_under(x, y) = made ? Under::Texture : validAt(site, x, y) ? Under::Nothing : Under::Outside;
                 const glm::vec3 color = at(site, x, y);
                 m_goal.at<cv::Vec3f>(y, x) = {color.r, color.g, color.b};
             }

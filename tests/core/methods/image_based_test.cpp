@@ -2,7 +2,10 @@
 
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/sample/strip.h"
 #include "core/scene/guide.h"
+#include "tests/core/synthesis/textures.h"
+#include "tests/support/support.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -50,10 +53,11 @@ ScalarImage ballLight(int size) {
     return light;
 }
 
-ImageBasedParams small(int block = 8, int window = 4) {
+ImageBasedParams small(int block = 8, int window = 4, bool draft = false) {
     ImageBasedParams params;
     params.quilt.block = block;
     params.window = window;
+    params.draft = draft;
     return params;
 }
 
@@ -74,13 +78,13 @@ TEST(Window, OfNoBlocksIsTheNearestPosition) {
     EXPECT_EQ(windowAround(1, 0, 10, strip), (synthesis::CandidateArea{190, 0, 1, 31}));
 }
 
-class ConstantGuide : public testing::TestWithParam<std::tuple<float, int>> {};
+class ConstantGuide : public testing::TestWithParam<std::tuple<float, int, bool>> {};
 
 TEST_P(ConstantGuide, UsesOnlySourceBlocksWithinTheWindow) {
-    const auto [light, window] = GetParam();
+    const auto [light, window, draft] = GetParam();
     const ColorImage strip = tellingStrip(300, 40);
     const GBuffer gbuffer = gbufferFromGuide(ScalarImage(70, 50, light));
-    const ImageBasedTexture texture = synthesizeImageBased(gbuffer, {&strip}, small(8, window));
+    const ImageBasedTexture texture = synthesizeImageBased(gbuffer, {&strip}, small(8, window, draft));
     const synthesis::CandidateArea area = windowAround(double(light), window, 8, strip);
     ASSERT_EQ(texture.objects.at(0).pixels.width(), 70);
     std::set<int> columns;
@@ -91,12 +95,16 @@ TEST_P(ConstantGuide, UsesOnlySourceBlocksWithinTheWindow) {
 }
 
 INSTANTIATE_TEST_SUITE_P(LightsAndWindows, ConstantGuide,
-                         testing::Combine(testing::Values(0.0f, 0.3f, 1.0f), testing::Values(0, 1, 4)));
+                         testing::Combine(testing::Values(0.0f, 0.3f, 1.0f), testing::Values(0, 1, 4),
+                                          testing::Bool()));
 
-TEST(ImageBased, NothingToPaintGivesNothing) {
+class BothSearches : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(ExactAndDraft, BothSearches, testing::Bool());
+
+TEST_P(BothSearches, NothingToPaintGivesNothing) {
     const ColorImage strip = tellingStrip(100, 40);
     const GBuffer outside = gbufferFromGuide(ScalarImage(20, 20, std::nanf("")));
-    const ImageBasedTexture texture = synthesizeImageBased(outside, {&strip}, small());
+    const ImageBasedTexture texture = synthesizeImageBased(outside, {&strip}, small(8, 4, GetParam()));
     EXPECT_TRUE(texture.objects.at(0).pixels.empty());
     EXPECT_EQ(texture.report.blocks, 0u);
     const gradient::Gradient gradient{{0, 0, 0}, {1, 1, 1}};
@@ -104,18 +112,58 @@ TEST(ImageBased, NothingToPaintGivesNothing) {
     EXPECT_TRUE(std::ranges::all_of(frame.picture.pixels(), [](glm::vec4 p) { return p == glm::vec4(0); }));
 }
 
-TEST(ImageBased, ASampleSmallerThanABlockAndABlockLargerThanThePictureFill) {
+TEST_P(BothSearches, ASampleSmallerThanABlockAndABlockLargerThanThePictureFill) {
     const ColorImage tiny = tellingStrip(9, 5, 0.5f);
     const ColorImage strip = tellingStrip(300, 80, 0.5f);
     const GBuffer gbuffer = gbufferFromGuide(ScalarImage(20, 15, 0.5f));
     for (const ColorImage* sample : {&tiny, &strip}) {
-        const ImageBasedTexture texture = synthesizeImageBased(gbuffer, {sample}, small(64));
+        const ImageBasedTexture texture = synthesizeImageBased(gbuffer, {sample}, small(64, 4, GetParam()));
         for (const glm::vec3& texel : texture.objects.at(0).pixels.pixels()) EXPECT_EQ(texel.b, 0.5f);
     }
     const ColorImage pixel(1, 1, glm::vec3(0.25f));
     for (const glm::vec3& texel :
-         synthesizeImageBased(gbuffer, {&pixel}, small()).objects.at(0).pixels.pixels())
+         synthesizeImageBased(gbuffer, {&pixel}, small(8, 4, GetParam())).objects.at(0).pixels.pixels())
         EXPECT_EQ(texel, glm::vec3(0.25f));
+}
+
+TEST_P(BothSearches, LightThatIsNowhereANumberIsOutside) {
+    const ColorImage strip = tellingStrip(300, 40, 0.5f);
+    ScalarImage light = ballLight(60);
+    for (int x = 0; x < 60; ++x) light(x, 30) = std::nanf("");
+    const GBuffer gbuffer = gbufferFromGuide(light);
+    const ObjectTexture worn = synthesizeImageBased(gbuffer, {&strip}, small(8, 4, GetParam())).objects.at(0);
+    for (int y = 0; y < worn.pixels.height(); ++y)
+        for (int x = 0; x < worn.pixels.width(); ++x) {
+            const bool inside = gbuffer.objectId(x + worn.origin.x, y + worn.origin.y) == 1;
+            ASSERT_EQ(worn.pixels(x, y).b, inside ? 0.5f : 0.0f) << x << ' ' << y;
+        }
+}
+
+// Seams of a draft against those of the exact search, over several seeds.
+double draftError(const ColorImage& texture, int block) {
+    const GBuffer gbuffer = gbufferFromGuide(ballLight(200));
+    const synthesis::SearchTexture prepared(texture);
+    double exact = 0, draft = 0;
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        ImageBasedParams params = small(block);
+        params.quilt.seed = seed;
+        exact += synthesizeImageBased(gbuffer, {{&texture, &prepared}}, params).report.overlapError;
+        params.draft = true;
+        draft += synthesizeImageBased(gbuffer, {{&texture, &prepared}}, params).report.overlapError;
+    }
+    return draft / exact;
+}
+
+TEST(ImageBased, ADraftsSeamsAreAlmostAsGood) {
+    EXPECT_LT(draftError(test::waves(400, 120, 3), 24), 1.15);
+}
+
+TEST(ImageBased, ADraftsSeamsAreAlmostAsGoodOnRealStrips) {
+    CHIARO_NEEDS_SHARED_DATA();
+    for (const char* name : {"oil_flying_dutchman.png", "wc_blue_19.png", "graphite_edge_gray.png"}) {
+        const ColorImage strip = sample::readStrip(test::sharedData() / "samples" / name);
+        EXPECT_LT(draftError(gradient::separate(strip).texture, 32), 1.15) << name;
+    }
 }
 
 TEST(ImageBased, ASampleThatWasPreparedGivesTheSameBytes) {
@@ -126,16 +174,16 @@ TEST(ImageBased, ASampleThatWasPreparedGivesTheSameBytes) {
               synthesizeImageBased(gbuffer, {&strip}, small()).objects.at(0).pixels);
 }
 
-TEST(ImageBased, OneThreadAndEightGiveTheSameBytes) {
+TEST_P(BothSearches, OneThreadAndEightGiveTheSameBytes) {
     const ColorImage strip = noise(200, 60);
     const GBuffer gbuffer = gbufferFromGuide(ballLight(150));
     const auto onThreads = [&](std::size_t threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        return synthesizeImageBased(gbuffer, {&strip}, small(16)).objects.at(0).pixels;
+        return synthesizeImageBased(gbuffer, {&strip}, small(16, 4, GetParam())).objects.at(0).pixels;
     };
     const ColorImage alone = onThreads(1);
     EXPECT_EQ(alone, onThreads(8));
-    ImageBasedParams otherSeed = small(16);
+    ImageBasedParams otherSeed = small(16, 4, GetParam());
     otherSeed.quilt.seed = 2;
     EXPECT_NE(alone, synthesizeImageBased(gbuffer, {&strip}, otherSeed).objects.at(0).pixels);
 }

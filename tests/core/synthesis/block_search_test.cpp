@@ -190,6 +190,118 @@ TEST(BlockSearch, AnyCandidateWithoutAPixelToMatch) {
     EXPECT_NE(find(source, nothing, 0.1, 1), find(source, nothing, 0.1, 2));
 }
 
+// A draft of the block that a picture goes on with, sought everywhere in the source.
+BlockMatch findDraft(const SearchTexture& source, const std::vector<SearchTemplate>& goals,
+                     std::span<const CandidateArea> excluded = {}, double tolerance = 0,
+                     std::uint64_t seed = 1) {
+    const int side = goals[0].pixels.width();
+    const CandidateArea area{0, 0, source.width() - side + 1, source.height() - side + 1};
+    SearchMemory memory;
+    return findBlock(source, {goals, area, excluded, tolerance, true}, Random(seed), memory);
+}
+
+TEST(DraftSearch, FindsABlockAtEveryPositionOfPatches) {
+    const ColorImage noise = exactNoise(15, 12, 1);
+    ColorImage source(75, 60);
+    for (int y = 0; y < source.height(); ++y)
+        for (int x = 0; x < source.width(); ++x) source(x, y) = noise(x / 5, y / 5);
+    const SearchTexture prepared(source);
+    for (int y = 0; y + 11 <= source.height(); y += 3)
+        for (int x = 0; x + 11 <= source.width(); ++x)
+            ASSERT_EQ(findDraft(prepared, {cutOut(prepared, source, {x, y}, 11, all)}).position,
+                      glm::ivec2(x, y));
+}
+
+TEST(DraftSearch, StaysInsideTheCandidatesAndOutOfTheExcluded) {
+    const ColorImage source = test::waves(90, 70, 2);
+    const SearchTexture prepared(source);
+    const SearchTemplate goal = cutOut(prepared, source, {40, 33}, 8, all);
+    const CandidateArea area{21, 13, 39, 41}, excluded{33, 20, 17, 19};
+    SearchMemory memory;
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+        const glm::ivec2 found =
+            findBlock(prepared, {{&goal, 1}, area, {&excluded, 1}, 2, true}, Random(seed), memory).position;
+        EXPECT_TRUE(found.x >= 21 && found.x < 60 && found.y >= 13 && found.y < 54);
+        EXPECT_FALSE(found.x >= 33 && found.x < 50 && found.y >= 20 && found.y < 39);
+    }
+}
+
+TEST(DraftSearch, WeighsSeveralTemplates) {
+    const ColorImage source = test::waves(60, 60, 3);
+    const SearchTexture prepared(source);
+    std::vector<SearchTemplate> goals{cutOut(prepared, source, {3, 4}, 8, [](int x, int) { return x < 3; }),
+                                      cutOut(prepared, source, {35, 26}, 8, all)};
+    goals[1].weight = 0;
+    EXPECT_EQ(findDraft(prepared, goals).position, glm::ivec2(3, 4));
+    goals[1].weight = 4;
+    EXPECT_EQ(findDraft(prepared, goals).position, glm::ivec2(35, 26));
+}
+
+TEST(DraftSearch, IsExactWhereThereAreFewCandidates) {
+    const ColorImage source = exactNoise(40, 30, 5), picture = exactNoise(20, 20, 6);
+    const SearchTexture prepared(source);
+    SearchMemory memory;
+    // The lattice of the half has 5 x 4 places, none, and none.
+    for (const CandidateArea& area : {CandidateArea{7, 11, 11, 8}, {7, 3, 1, 9}, {7, 11, 1, 1}})
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            const SearchTemplate goal = cutOut(prepared, picture, {int(seed) % 9, 3}, 8, all);
+            SearchQuery query{{&goal, 1}, area, {}, 0.1, false};
+            const glm::ivec2 exact = findBlock(prepared, query, Random(seed), memory).position;
+            query.draft = true;
+            EXPECT_EQ(findBlock(prepared, query, Random(seed), memory).position, exact);
+        }
+}
+
+TEST(DraftSearch, AnyCandidateWithoutAPixelToMatchAndEachOfEqualOnes) {
+    const ColorImage flat(60, 50, glm::vec3(0.25f));
+    const SearchTexture prepared(flat);
+    const SearchTemplate nothing = cutOut(prepared, flat, {0, 0}, 8, [](int, int) { return false; });
+    EXPECT_EQ(findDraft(prepared, {nothing}).choices, 53u * 43u);
+    const SearchTemplate goal = cutOut(prepared, flat, {0, 0}, 8, all);
+    EXPECT_GT(findDraft(prepared, {goal}).choices, 1u);
+    EXPECT_NE(findDraft(prepared, {goal}, {}, 0, 1).position, findDraft(prepared, {goal}, {}, 0, 2).position);
+}
+
+TEST(DraftSearch, EveryInstructionSetFindsTheSame) {
+    const ColorImage source = test::waves(83, 71, 8), picture = test::waves(64, 64, 9);
+    const SearchTexture prepared(source);
+    const auto positions = [&] {
+        std::vector<glm::ivec2> found;
+        for (int i = 0; i < 8; ++i)
+            found.push_back(findDraft(prepared,
+                                      {cutOut(prepared, picture, {3 * i, 2 * i}, 12 + i,
+                                              [](int x, int y) { return x < 4 || y < 3; })},
+                                      {}, 0.1)
+                                .position);
+        return found;
+    };
+    const auto targets = kernels::supportedTargets();
+    kernels::onlyUseTarget(targets.back());
+    const auto plain = positions();
+    for (const char* target : targets) {
+        kernels::onlyUseTarget(target);
+        EXPECT_EQ(positions(), plain) << target;
+    }
+    kernels::onlyUseTarget(nullptr);
+}
+
+TEST(SearchTexture, HalvesByTheMeanOfWhatCounts) {
+    Image<SearchPixel> pixels(3, 2);
+    pixels(0, 0) = {10, 20, -3, true};
+    pixels(1, 0) = {20, 20, -4, true};
+    pixels(2, 1) = {7, 8, 9, true};
+    pixels(1, 1) = {99, 99, 99, false};
+    const Image<SearchPixel> half = halved(pixels);
+    ASSERT_EQ(half.width(), 2);
+    ASSERT_EQ(half.height(), 1);
+    EXPECT_TRUE(half(0, 0).counts);
+    EXPECT_EQ(half(0, 0).r, 15);
+    EXPECT_EQ(half(0, 0).g, 20);
+    EXPECT_EQ(half(0, 0).b, -4);  // halves away from 0
+    EXPECT_EQ(half(1, 0).b, 9);
+    EXPECT_FALSE(halved(Image<SearchPixel>(2, 2))(0, 0).counts);
+}
+
 TEST(BlockSearch, LargestTemplateDoesNotOverflow) {
     // 256 x 256 pixels of opposite extremes: the largest sum there can be, about 3.1e9.
     ColorImage source(300, 257, glm::vec3(1));
