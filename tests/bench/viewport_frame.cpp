@@ -5,7 +5,7 @@
 #include "core/base/random.h"
 #include "core/scene/mesh_io.h"
 #include "tests/support/support.h"
-#include "widgets/viewport/view_aligned_drawer.h"
+#include "widgets/viewport/frame_drawer.h"
 
 #include <QGuiApplication>
 #include <QOffscreenSurface>
@@ -133,7 +133,7 @@ void measureFrame(Gl& gl, FrameTime& best, const std::function<void()>& frame) {
 struct Bench {
     Gl& gl;
     PlainDrawer plain;
-    ViewAlignedDrawer painted;
+    FrameDrawer painted;
     ViewState state;
     std::unique_ptr<QOpenGLFramebufferObject> multisampled;
     std::unique_ptr<QOpenGLFramebufferObject> target;

@@ -113,8 +113,8 @@ void ViewportGlTest::texelsKeepTheDifferences() {
     const LevelTexels texels = levelTexels(stack);
     QCOMPARE(texels.size, 2);
     QCOMPARE(texels.count, 2);
-    const auto difference = [&](std::size_t texel, std::size_t channel) {
-        return float(texels.texels[texel][channel]) / 255 * texels.factor + texels.bias;
+    const auto difference = [&](std::size_t texel, int channel) {
+        return texels.range.difference(texels.texels[texel])[channel];
     };
     QVERIFY(std::abs(difference(0, 0)) < 1e-6f);  // no difference stays none
     QVERIFY(std::abs(difference(5, 0) - 0.5f) < 1e-6f);

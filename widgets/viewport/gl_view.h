@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/viewport/view_aligned_drawer.h"
+#include "widgets/viewport/frame_drawer.h"
 #include "widgets/viewport/view_state.h"
 
 #include <QImage>
@@ -34,7 +34,7 @@ private:
 
     ViewState& m_state;
     Gl* m_gl = nullptr;  ///< the current context's, null when it can't draw
-    ViewAlignedDrawer m_drawer;
+    FrameDrawer m_drawer;
     GlPaints::Pending m_pending = GlPaints::Pending::Show;
 };
 
