@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/document.h"
+#include "app/frame_textures.h"
 #include "app/jobs/job_runner.h"
 #include "app/jobs/memo.h"
 #include "app/meshes.h"
@@ -24,6 +25,7 @@ struct Studio {
     app::JobRunner jobs;
     app::Paints paints{document, jobs, memo};
     app::Meshes meshes{document, jobs, memo};
+    app::FrameTextures frameTextures{document, jobs, memo, paints, meshes};
     app::Opener opener{document, jobs, paints, meshes};
     std::vector<QString> errors;
 
