@@ -189,14 +189,13 @@ void FrameTextures::stop() {
 }
 
 void FrameTextures::refresh() {
-    if (!isWanted()) return stop();
     Inputs now = inputs();
     const Keys keys = keysOf(now);
     const bool isPainted =
         std::ranges::any_of(now.textures, [](const auto& texture) { return texture != nullptr; });
     // The texture of other objects says nothing about these.
     if (m_texture && m_shownKeys.geometry != keys.geometry) show(nullptr, {}, false);
-    if (!isPainted || isWaitingForPaint()) return stop();
+    if (!isWanted() || !isPainted || isWaitingForPaint()) return stop();
     if (std::exchange(m_lastView, keys.view) != keys.view) m_rest.start();
 
     const bool isShown = m_texture && m_shownKeys.view == keys.view;
