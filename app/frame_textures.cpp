@@ -16,11 +16,11 @@ namespace {
 constexpr int restMilliseconds = 80;
 const char* const slot = "frame texture";
 
-/// Both so that they can be seen in the first frames of a drag: a guide of half the size, which costs a
-/// quarter of the rays, and a narrow window, which costs a quarter of the search.
+/// A draft is to be seen in the first frames of a drag: its guide is of half the size, which costs a quarter
+/// of the rays, and its window is narrow, which costs half of the search.
 constexpr int draftStep = 2;
 methods::ImageBasedParams draftOf(methods::ImageBasedParams params) {
-    params.window = std::min(params.window, 1);
+    params.window = std::min(params.window, 2);
     return params;
 }
 
