@@ -112,19 +112,10 @@ CpuView::Job CpuView::jobOfNow() {
     m_raysScene = m_state.scene();
     m_stopFine = {};
     m_stopAll = {};
-    Job job{m_rays,
-            m_state.scene(),
-            m_state.camera,
-            {},
-            m_state.placements(),
-            m_state.method(),
-            m_state.params,
-            m_state.viewTexture,
-            m_state.textureMotions(pixels),
-            m_state.background,
-            pixels,
-            m_stopFine.get_token(),
-            m_stopAll.get_token()};
+    Job job{m_rays,           m_state.scene(),        m_state.camera,       {}, m_state.placements(),
+            m_state.method(), m_state.params,         m_state.viewTexture,  {}, m_state.background,
+            pixels,           m_stopFine.get_token(), m_stopAll.get_token()};
+    if (job.viewTexture) job.motions = m_state.textureMotions(*job.viewTexture, pixels);
     for (const scene::Object& object : job.scene.objects) job.paints.push_back(m_state.paint(object.sample));
     return job;
 }

@@ -5,8 +5,8 @@
 namespace chiaro::widgets {
 
 /// Shades with the image-based texture (§4.1): G(L) of this frame and the texture that was made last, which
-/// each object takes along until there is one for this view. A pass an object; a texture is uploaded when it
-/// is another than in the last frame.
+/// each object takes along until there is one for this view, which fades in. A pass an object; a texture is
+/// uploaded when it is another than in the last frame.
 class ImageBasedDrawer : public MethodDrawer {
 public:
     bool initialize(Gl& gl, int samples) override;
@@ -16,20 +16,30 @@ public:
     QOpenGLShaderProgram* bind(Gl& gl, std::size_t pass, const GlPaints& paints) override;
 
 private:
+    /// A view texture in the graphics memory.
+    struct Uploaded {
+        std::shared_ptr<const ViewTexture> texture;
+        std::vector<GLuint> texels;  ///< one an object
+    };
+    /// One object's texels on the screen, for the shader.
     struct Placed {
         GLuint texels = 0;
         QVector4D coordinates;  ///< OpenGL's pixels to s and t: factors, summands
+        QVector2D range;        ///< difference = texel value * x + y, its weight included
     };
+    using Layers = std::array<Placed, 2>;  ///< the texture, and the earlier one that it fades in over
 
     void upload(Gl& gl, const std::shared_ptr<const ViewTexture>& texture);
-    void freeTextures(Gl& gl);
+    Placed placed(const Uploaded& uploaded, std::size_t object, const methods::TexturePlacement& motion,
+                  int height, float weight) const;
+    static void freeTextures(Gl& gl, Uploaded& uploaded);
 
-    std::unique_ptr<QOpenGLShaderProgram> m_program;
-    std::shared_ptr<const ViewTexture> m_texture;  ///< as uploaded
-    std::vector<GLuint> m_texels;                  ///< one an object
-    GLuint m_untextured = 0;                       ///< no difference anywhere
-    QVector2D m_range;
-    std::vector<Placed> m_placed;  ///< one a pass
+    std::array<std::unique_ptr<QOpenGLShaderProgram>, 2> m_programs;  ///< by the number of layers less one
+    Uploaded m_shown;
+    Uploaded m_earlier;  ///< what was shown before
+    GLuint m_untextured = 0;
+    bool m_isFading = false;
+    std::vector<Layers> m_placed;  ///< one a pass
 };
 
 }  // namespace chiaro::widgets

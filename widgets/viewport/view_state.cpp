@@ -97,10 +97,9 @@ void ViewState::follow(QSize pixels) {
     m_seenCamera = camera;
 }
 
-std::vector<methods::TexturePlacement> ViewState::textureMotions(QSize pixels) const {
+std::vector<methods::TexturePlacement> ViewState::textureMotions(const ViewTexture& texture,
+                                                                 QSize pixels) const {
     std::vector<methods::TexturePlacement> motions(m_scene.objects.size());
-    if (!viewTexture) return motions;
-    const ViewTexture& texture = *viewTexture;
     const glm::mat4 viewThen = texture.camera.view();
     const glm::mat4 projectionThen = texture.camera.projection(texture.width, texture.height);
     const glm::mat4 viewNow = camera.view();

@@ -52,16 +52,18 @@ public:
 
     scene::Camera camera;
     methods::ViewAlignedParams params;
-    std::shared_ptr<const ViewTexture> viewTexture;  ///< image-based; null: G(L) alone is shown
+    std::shared_ptr<const ViewTexture> viewTexture;     ///< image-based; null: G(L) alone is shown
+    std::shared_ptr<const ViewTexture> earlierTexture;  ///< what it takes the place of, while it fades in
+    float earlierWeight = 0;                            ///< of that, 1 to 0
     glm::vec3 background{0.22f};
 
     /// Lets the textures follow what moved since the last call, for a view of so many device pixels. A view
     /// of another size moves them but does not scale them: a larger window shows as large strokes.
     void follow(QSize pixels);
     const std::vector<methods::TexturePlacement>& placements() const { return m_placements; }
-    /// How the objects moved on the screen since the view texture was made, one an object: a position p in a
-    /// view of so many pixels shows what was at (p - offset) / zoom then.
-    std::vector<methods::TexturePlacement> textureMotions(QSize pixels) const;
+    /// How the objects moved on the screen since a texture was made, one an object: a position p in a view of
+    /// so many pixels shows what was at (p - offset) / zoom then.
+    std::vector<methods::TexturePlacement> textureMotions(const ViewTexture& texture, QSize pixels) const;
 
 private:
     methods::TexturePlacement followed(std::size_t object, const methods::ObjectView& now) const;

@@ -215,7 +215,8 @@ void Viewport::setMethod(const std::string& key) {
 }
 
 void Viewport::setViewTexture(std::shared_ptr<const ViewTexture> texture) {
-    m_impl->state.viewTexture = std::move(texture);
+    m_impl->state.earlierTexture = std::exchange(m_impl->state.viewTexture, std::move(texture));
+    if (m_impl->glView) m_impl->glView->fadeTexture();
     if (m_impl->state.method() == "image-based") m_impl->refresh();
 }
 
