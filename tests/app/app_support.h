@@ -9,6 +9,9 @@
 #include "app/paints.h"
 #include "tests/support/support.h"
 
+#include <QElapsedTimer>
+#include <QTimer>
+
 #include <filesystem>
 
 namespace chiaro::test {
@@ -35,6 +38,18 @@ struct Studio {
     bool settle();
     /// Opens files and waits.
     bool open(const std::vector<std::filesystem::path>& paths);
+};
+
+/// The longest time that the thread of windows was held up since this began.
+class Watchdog {
+public:
+    Watchdog();
+    qint64 longest() const { return m_longest; }  ///< ms
+
+private:
+    QTimer m_heart;
+    QElapsedTimer m_beat;
+    qint64 m_longest = 0;
 };
 
 /// The project without its camera, which is no part of the history.

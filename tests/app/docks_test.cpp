@@ -43,24 +43,6 @@ struct Docks {
     QUndoStack& undo() { return studio.document.undoStack(); }
 };
 
-/// The longest time that the thread of windows was held up while something ran.
-class Watchdog {
-public:
-    Watchdog() {
-        m_heart.setInterval(1);
-        QObject::connect(&m_heart, &QTimer::timeout, &m_heart,
-                         [this] { m_longest = std::max(m_longest, m_beat.restart()); });
-        m_beat.start();
-        m_heart.start();
-    }
-    qint64 longest() const { return m_longest; }
-
-private:
-    QTimer m_heart;
-    QElapsedTimer m_beat;
-    qint64 m_longest = 0;
-};
-
 }  // namespace
 
 class DocksTest : public QObject {
@@ -185,7 +167,7 @@ private Q_SLOTS:
         qint64 longest = std::numeric_limits<qint64>::max();
         for (int attempt = 0; attempt < 3 && longest >= 50; ++attempt) {
             Docks docks;
-            const Watchdog watchdog;
+            const test::Watchdog watchdog;
             QVERIFY(docks.studio.open({test::resource("demo/demo.chiaro")}));
             QVERIFY(docks.studio.errors.empty());
             QVERIFY(docks.studio.paints.state(docks.sample->currentSample()).levelsAreFinal);

@@ -1,10 +1,15 @@
 #include "core/scene/mesh_io.h"
 #include "tests/support/support.h"
 #include "tests/widgets/viewport_support.h"
+#include "widgets/viewport/frame_drawer.h"
 #include "widgets/viewport/gl_support.h"
 #include "widgets/viewport/gl_view.h"
 #include "widgets/viewport/level_texels.h"
 
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLVersionFunctionsFactory>
 #include <QtTest>
 
 namespace chiaro::widgets {
@@ -40,6 +45,7 @@ private Q_SLOTS:
     void drawsImageBasedAsTheCpuDoes_data();
     void drawsImageBasedAsTheCpuDoes();
     void movesTheTextureWithItsObject();
+    void fadesFromTextureToTexture();
     void silhouettesAreSmooth();
     void gradientChangesWithoutTheTexture();
     void withoutLevelsTheGradientAloneShows();
@@ -273,6 +279,48 @@ void ViewportGlTest::movesTheTextureWithItsObject() {
             std::min(best, test::meanDifference(before.copy(patch), panned.copy(patch.translated(shift, 0))));
     const double unmoved = test::meanDifference(before.copy(patch), panned.copy(patch));
     QVERIFY2(best < 0.4 * unmoved, qPrintable(QString("best %1, unmoved %2").arg(best).arg(unmoved)));
+}
+
+void ViewportGlTest::fadesFromTextureToTexture() {
+    QOpenGLContext context;
+    context.setFormat(openGlFormat());
+    QOffscreenSurface surface;
+    surface.setFormat(context.format());
+    surface.create();
+    QVERIFY(context.create() && context.makeCurrent(&surface));
+    Gl& gl = *QOpenGLVersionFunctionsFactory::get<Gl>(&context);
+    FrameDrawer drawer;
+    QVERIFY(drawer.initialize(gl));
+    const QSize pixels(160, 120);
+    QOpenGLFramebufferObject target(pixels);
+    ViewState state;
+    state.setMethod("image-based");
+    state.setScene(test::sceneOf(test::sphereMesh()));
+    state.setPaint(0, m_paints[0]);
+    const auto first =
+        test::imageBasedPicture(state.scene(), state.camera, m_paints[0].gradient, background, pixels)
+            .texture;
+    auto inverse = std::make_shared<ViewTexture>(*first);
+    for (DifferenceTexel& texel : inverse->objects[0].texels.pixels())
+        for (int i = 0; i < 3; ++i) texel[std::size_t(i)] = std::uint8_t(256 - texel[std::size_t(i)]);
+    const auto draw = [&](const auto& shown, const auto& earlier, float weight) {
+        state.viewTexture = shown;
+        state.earlierTexture = earlier;
+        state.earlierWeight = weight;
+        drawer.draw(gl, state, pixels, target.handle());
+        return target.toImage().convertToFormat(QImage::Format_RGB32);
+    };
+    using Texture = std::shared_ptr<const ViewTexture>;
+    const QImage before = draw(first, Texture(), 0);
+    const QImage after = draw(Texture(inverse), Texture(first), 0);
+    QVERIFY(test::meanDifference(before, after) > 1);
+    QVERIFY(test::meanDifference(draw(Texture(inverse), Texture(first), 1), before) < 0.1);
+    // Half way a texture and its inverse cancel out: G(L) alone is left.
+    const QImage between = draw(Texture(inverse), Texture(first), 0.5f);
+    QVERIFY(test::meanDifference(between, draw(Texture(), Texture(), 0)) < 0.1);
+    // An earlier texture that was never shown has nothing to fade from.
+    QCOMPARE(draw(Texture(inverse), std::make_shared<const ViewTexture>(*first), 0.5f), after);
+    drawer.release(gl);
 }
 
 void ViewportGlTest::silhouettesAreSmooth() {
