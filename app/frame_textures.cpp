@@ -148,8 +148,9 @@ FrameTextures::Inputs FrameTextures::inputs() const {
 
 FrameTextures::Keys FrameTextures::keysOf(const Inputs& inputs) const {
     Keys keys;
+    keys.meshes = inputs.sceneMeshes;
     Hasher geometry;
-    geometry.add("geometry").add(inputs.sceneMeshes).add(inputs.scene.objects.size());
+    geometry.add("geometry").add(keys.meshes).add(inputs.scene.objects.size());
     for (const scene::Object& object : inputs.scene.objects) {
         geometry.add(object.visible);
         geometry.bytes(&object.transform[0][0], sizeof object.transform);
@@ -194,7 +195,7 @@ void FrameTextures::refresh() {
     const bool isPainted =
         std::ranges::any_of(now.textures, [](const auto& texture) { return texture != nullptr; });
     // The texture of other objects says nothing about these.
-    if (m_texture && m_shownKeys.geometry != keys.geometry) show(nullptr, {}, false);
+    if (m_texture && m_shownKeys.meshes != keys.meshes) show(nullptr, {}, false);
     if (!isWanted() || !isPainted || isWaitingForPaint()) return stop();
     if (std::exchange(m_lastView, keys.view) != keys.view) m_rest.start();
 

@@ -54,8 +54,9 @@ Q_SIGNALS:
 private:
     /// Hashes of what a texture comes from.
     struct Keys {
-        std::uint64_t geometry = 0;  ///< meshes and where they are
-        std::uint64_t content = 0;   ///< these, what they wear, and the parameters
+        std::uint64_t meshes = 0;
+        std::uint64_t geometry = 0;  ///< these, and where they are
+        std::uint64_t content = 0;   ///< that, what they wear, and the parameters
         std::uint64_t view = 0;      ///< all of that, the lights and the view
     };
     struct Inputs;
