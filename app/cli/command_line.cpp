@@ -66,6 +66,8 @@ int run(int argc, const char* const* argv) {
     addSampleCommands(root, session);
     addLevelsCommand(root, session);
     addRenderCommand(root, session);
+    addAnimateCommand(root, session);
+    addViewsCommand(root, session);
     addDemoCommand(root, session);
     try {
         root.parse(argc, argv);

@@ -48,6 +48,11 @@ std::vector<project::Paint> preparePaints(const project::Project& project, const
 /// Reads mesh and samples and makes the paints. Throws Error, Cancelled.
 LoadedProject loadProject(project::Project project, const Task& task);
 
+/// Method, samples and how they are laid on, for metadata.
+nlohmann::json paintParameters(const project::Project& project);
+/// Mesh, camera and lights, for metadata.
+nlohmann::json sceneParameters(const project::Project& project);
+
 /// "1280x720", each side 1..16384, 64 megapixels in all. Throws CLI::ValidationError.
 glm::ivec2 sizeFrom(const std::string& flag, const std::string& text);
 

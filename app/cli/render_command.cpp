@@ -1,6 +1,6 @@
 #include "app/cli/guide_source.h"
+#include "app/cli/picture_output.h"
 #include "app/cli/project_source.h"
-#include "core/base/color.h"
 #include "core/base/error.h"
 #include "core/project/render_method.h"
 
@@ -21,13 +21,6 @@ struct Seconds {
     double total() const { return load + guide + synthesis + shade; }
 };
 
-/// Depth as files hold it: -1 outside, as in light pictures, since many programs refuse infinities.
-ScalarImage finiteDepth(ScalarImage depth) {
-    for (float& value : depth.pixels())
-        if (std::isinf(value)) value = -1;
-    return depth;
-}
-
 /// A view ready to be painted.
 struct View {
     project::Project project;
@@ -46,27 +39,24 @@ struct RenderCommand {
     ProjectSource source;
     GuideSource guide;
     std::filesystem::path output;
-    std::filesystem::path auxiliary;
-    std::string size = "1024x1024";
-    std::string background = "#ffffff";
+    PictureOutput picture;
 
     void run(Session& session) const {
         session.start();
-        const glm::ivec2 pixels = sizeFrom("--size", size);
-        if (background != "transparent") usageFrom("--background", [&] { colorFromHex(background); });
+        picture.check();
         if (!isWritableImage(output))
             throw Error(output.string(), "has no extension of a picture", "choose .png, .exr or .tif");
         const Task task = session.task("render");
         Seconds seconds;
-        const View view = guide.given() ? guideView(task, seconds) : meshView(pixels, task, seconds);
+        const View view = guide.given() ? guideView(task, seconds) : meshView(task, seconds);
         Stopwatch stopwatch;
         const project::Rendering rendering =
             project::renderFrame(view.project, view.worn, view.gbuffer, task.part(0.7, 1));
         seconds.synthesis += rendering.synthesisSeconds;
         seconds.shade = stopwatch.lap() - rendering.synthesisSeconds;
         const ImageMetadata metadata = pictureMetadata("render", parameters(view));
-        writePicture(rendering.frame.picture, metadata);
-        if (!auxiliary.empty()) writeAuxiliary(view.gbuffer, rendering.frame, metadata);
+        picture.write(output, rendering.frame.picture, metadata);
+        if (picture.writesAuxiliary()) picture.writeAuxiliary(view.gbuffer, rendering.frame, metadata);
         report(session, view, rendering.report, seconds);
     }
 
@@ -80,7 +70,7 @@ struct RenderCommand {
         return project;
     }
 
-    View meshView(glm::ivec2 pixels, const Task& task, Seconds& seconds) const {
+    View meshView(const Task& task, Seconds& seconds) const {
         Stopwatch stopwatch;
         LoadedProject loaded = loadProject(loadProjectFor(ProjectSource::Subject::Mesh), task.part(0, 0.5));
         seconds.synthesis = levelSeconds(loaded.paints);
@@ -89,6 +79,7 @@ struct RenderCommand {
         const scene::Camera camera = project::cameraFor(loaded.project, loaded.scene);
         View view{std::move(loaded.project), std::move(loaded.paints), {}, {}};
         view.worn = project::wornPaints(loaded.scene, view.paints);
+        const glm::ivec2 pixels = picture.size();
         view.gbuffer =
             scene::castGBuffer(rays, loaded.scene.lights, camera, pixels.x, pixels.y, task.part(0.55, 0.7));
         seconds.guide = stopwatch.lap();
@@ -116,47 +107,11 @@ struct RenderCommand {
 
     nlohmann::json parameters(const View& view) const {
         const project::Project& project = view.project;
-        nlohmann::json json{{"method", project.method},
-                            {"size", {view.gbuffer.width, view.gbuffer.height}},
-                            {"background", background}};
-        for (const project::Sample& sample : project.samples)
-            json["samples"].push_back(sample.scan.filename().string());
-        json.update(project::renderMethod(project.method).parameters(project));
+        nlohmann::json json = picture.parameters();
+        json["size"] = {view.gbuffer.width, view.gbuffer.height};
+        json.update(paintParameters(project));
         json.update(guide.given() ? guide.parameters() : sceneParameters(project));
         return json;
-    }
-
-    static nlohmann::json sceneParameters(const project::Project& project) {
-        nlohmann::json json{
-            {"mesh", project.mesh.filename().string()},
-            {"camera", {project.camera.azimuth, project.camera.elevation, project.camera.distance}}};
-        for (const scene::Light& light : project.lights)
-            json["lights"].push_back({light.vector.x, light.vector.y, light.vector.z, light.intensity});
-        return json;
-    }
-
-    /// EXR holds scene-linear colours, the other formats display-referred ones.
-    void writePicture(ColorAlphaImage picture, const ImageMetadata& metadata) const {
-        if (background != "transparent") {
-            ColorImage opaque = methods::over(picture, colorFromHex(background));
-            if (output.extension() == ".exr")
-                for (glm::vec3& pixel : opaque.pixels()) pixel = linearFromSrgb(pixel);
-            return writeImage(output, opaque, metadata);
-        }
-        if (output.extension() == ".exr")
-            for (glm::vec4& pixel : picture.pixels())
-                pixel = glm::vec4(linearFromSrgb(glm::vec3(pixel)), pixel.a);
-        writeImage(output, picture, metadata);
-    }
-
-    void writeAuxiliary(const scene::GBuffer& gbuffer, const methods::Frame& frame,
-                        const ImageMetadata& metadata) const {
-        writeImage(auxiliary / "light.exr", gbuffer.light, metadata);
-        writeImage(auxiliary / "id.png", gbuffer.objectId, metadata);
-        writeImage(auxiliary / "texture.exr", frame.texture, metadata);
-        if (guide.given()) return;  // pictures have neither depth nor normals
-        writeImage(auxiliary / "depth.exr", finiteDepth(gbuffer.depth), metadata);
-        writeImage(auxiliary / "normal.exr", gbuffer.normal, metadata);
     }
 
     void report(Session& session, const View& view, const synthesis::QuiltReport& quilted,
@@ -198,12 +153,7 @@ void addRenderCommand(CLI::App& root, Session& session) {
     state->source.addTo(*command);
     command->add_option("-o,--output", state->output, "Picture to write: .png, .exr (scene-linear) or .tif")
         ->required();
-    command->add_option("--size", state->size,
-                        "WIDTHxHEIGHT, each 1..16384 px, together at most 64 megapixels (default 1024x1024)");
-    command->add_option("--background", state->background, "#rrggbb or transparent (default #ffffff)");
-    command->add_option("--aux", state->auxiliary,
-                        "Folder for light.exr, id.png, depth.exr, normal.exr and texture.exr of this "
-                        "picture; light and depth are -1 outside the objects");
+    state->picture.addTo(*command);
     state->guide.addTo(*command);
     session.addCommonFlags(*command);
     command->callback([state, &session] { state->run(session); });

@@ -93,6 +93,8 @@ private:
 void addSampleCommands(CLI::App& root, Session& session);
 void addLevelsCommand(CLI::App& root, Session& session);
 void addRenderCommand(CLI::App& root, Session& session);
+void addAnimateCommand(CLI::App& root, Session& session);
+void addViewsCommand(CLI::App& root, Session& session);
 void addDemoCommand(CLI::App& root, Session& session);
 
 }  // namespace chiaro::cli

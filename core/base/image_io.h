@@ -53,6 +53,10 @@ void writeImage(const std::filesystem::path& path, const ColorAlphaImage& image,
                 const ImageMetadata& metadata = {}, PixelDepth depth = PixelDepth::Bits8);
 void writeImage(const std::filesystem::path& path, const ScalarImage& image,
                 const ImageMetadata& metadata = {}, PixelDepth depth = PixelDepth::Bits8);
+/// Two values a pixel as they are, such as a displacement. Only EXR. Throws Error too when the path is
+/// another.
+void writeImage(const std::filesystem::path& path, const Image<glm::vec2>& image,
+                const ImageMetadata& metadata = {});
 /// Ids as they are, in 8 bits when all fit and 16 otherwise. PNG or TIFF.
 void writeImage(const std::filesystem::path& path, const IdImage& image, const ImageMetadata& metadata = {});
 

@@ -90,6 +90,14 @@ void writeImage(const fs::path& path, const ScalarImage& image, const ImageMetad
     writeChannels(path, image.width(), image.height(), 1, floats(image), metadata, depth);
 }
 
+void writeImage(const fs::path& path, const Image<glm::vec2>& image, const ImageMetadata& metadata) {
+    const ImageFormat format = writableFormat(path);
+    if (format != ImageFormat::OpenExr)
+        throw Error(path.string(), fmt::format("{} can't hold two values a pixel", displayName(format)),
+                    "use .exr");
+    writeChannels(path, image.width(), image.height(), 2, floats(image), metadata, {});
+}
+
 void writeImage(const fs::path& path, const IdImage& image, const ImageMetadata& metadata) {
     const ImageFormat format = writableFormat(path);
     if (format != ImageFormat::Png && format != ImageFormat::Tiff)

@@ -8,11 +8,11 @@ const ParameterTable<CoherenceParams>& CoherenceParams::table() {
     static const auto table =
         ParameterTable<CoherenceParams>()
             .add(&CoherenceParams::mode,
-                 ParameterSpec::choice("coherence", "Coherence",
-                                       {"independent", "previous", "keyframes", "reprojected"},
-                                       "How the frames of an animation hang together: each by itself, close "
-                                       "to the one before, blended from keyframe to keyframe, or moved with "
-                                       "the surface."))
+                 ParameterSpec::choice(
+                     "coherence", "Coherence", {"independent", "previous", "keyframes", "reprojected"},
+                     "How the frames of an image-based animation hang together: each by itself, close "
+                     "to the one before, blended from keyframe to keyframe, or moved with "
+                     "the surface."))
             .add(&CoherenceParams::every,
                  ParameterSpec::integer("every", "Keyframe distance", "frames", 1, 240,
                                         "Frames from one keyframe's texture to the next: more is calmer and "

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <map>
 
 namespace chiaro::methods {
 
@@ -37,16 +38,27 @@ double meanLight(const ObjectGuide& guide, const BlockSite& site) {
 
 /// The quilting of one object.
 struct ObjectWork {
-    ObjectGuide guide;
+    const ObjectGuide& guide;
     synthesis::QuiltTask task;
     synthesis::QuiltParams params;
 
-    ObjectWork(ObjectGuide cut, const ColorImage& sample, const ImageBasedParams& wanted, std::size_t index)
-        : guide(std::move(cut)), params(wanted.quilt) {
-        task.source = &sample;
+    ObjectWork(const ImageBasedTask& view, const SampleTexture& sample, const ImageBasedParams& wanted,
+               std::size_t index)
+        : guide(view.guides[index]), params(wanted.quilt) {
+        task.source = sample.pixels;
+        task.prepared = sample.prepared;
         task.width = guide.covered.width();
         task.height = guide.covered.height();
         task.valid = &guide.covered;
+        if (!view.filled.empty() && !view.filled[index].where.empty()) {
+            task.filled = &view.filled[index].pixels;
+            task.filledWhere = &view.filled[index].where;
+        }
+        if (!view.previous.empty() && !view.previous[index].where.empty()) {
+            task.previous = &view.previous[index].pixels;
+            task.previousWhere = &view.previous[index].where;
+            task.previousWeight = view.previousWeight;
+        }
         params = synthesis::fittedBlock(params, task);
         params.seed += index;  // objects of one paint don't repeat each other
         task.candidates = [this, window = wanted.window](const BlockSite& site) {
@@ -57,16 +69,23 @@ struct ObjectWork {
     ObjectWork& operator=(const ObjectWork&) = delete;
 };
 
-std::vector<std::unique_ptr<ObjectWork>> planned(const scene::GBuffer& gbuffer, const SampleTextures& samples,
-                                                 const ImageBasedParams& params) {
-    std::vector<ObjectGuide> guides = objectGuides(gbuffer, samples.size());
+/// The search forms that a synthesis makes for itself.
+using OwnSearchTextures = std::map<const ColorImage*, synthesis::SearchTexture>;
+
+SampleTexture prepared(const SampleTexture& sample, OwnSearchTextures& own) {
+    if (sample.prepared) return sample;
+    return {sample.pixels, &own.try_emplace(sample.pixels, *sample.pixels).first->second};
+}
+
+std::vector<std::unique_ptr<ObjectWork>> planned(const ImageBasedTask& view, const SampleTextures& samples,
+                                                 const ImageBasedParams& params, OwnSearchTextures& own) {
     std::vector<std::unique_ptr<ObjectWork>> works(samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        if (guides[i].empty()) continue;
-        if (!samples[i] || samples[i]->empty())
+        if (view.guides[i].empty()) continue;
+        if (!samples[i].pixels || samples[i].pixels->empty())
             throw Error("object " + std::to_string(i + 1), "wears a sample without a pixel",
                         "choose a strip of at least one pixel");
-        works[i] = std::make_unique<ObjectWork>(std::move(guides[i]), *samples[i], params, i);
+        works[i] = std::make_unique<ObjectWork>(view, prepared(samples[i], own), params, i);
     }
     return works;
 }
@@ -87,10 +106,18 @@ CandidateArea windowAround(double light, int window, int block, const ColorImage
 
 ImageBasedTexture synthesizeImageBased(const scene::GBuffer& gbuffer, const SampleTextures& samples,
                                        const ImageBasedParams& params, const Task& task) {
+    ImageBasedTask view;
+    view.guides = objectGuides(gbuffer, samples.size());
+    return synthesizeImageBased(view, samples, params, task);
+}
+
+ImageBasedTexture synthesizeImageBased(const ImageBasedTask& view, const SampleTextures& samples,
+                                       const ImageBasedParams& params, const Task& task) {
     ImageBasedParams::table().check(params);
     synthesis::QuiltParams::table().check(params.quilt);
     task.checkpoint();
-    auto works = planned(gbuffer, samples, params);
+    OwnSearchTextures own;
+    auto works = planned(view, samples, params, own);
     std::size_t blocks = 0;
     for (const auto& work : works)
         if (work) blocks += synthesis::blockCount(work->task, work->params);
@@ -101,7 +128,7 @@ ImageBasedTexture synthesizeImageBased(const scene::GBuffer& gbuffer, const Samp
     tbb::parallel_for(std::size_t(0), works.size(), [&](std::size_t i) {
         if (!works[i]) return;
         synthesis::QuiltResult made = synthesis::quilt(works[i]->task, works[i]->params, steps);
-        texture.objects[i] = {works[i]->guide.origin, std::move(made.texture)};
+        texture.objects[i] = {works[i]->guide.origin, std::move(made.texture), works[i]->guide.covered};
         placed[i] = std::move(made.blocks);
         works[i].reset();
     });

@@ -109,4 +109,29 @@ std::vector<ObjectGuide> objectGuides(const scene::GBuffer& gbuffer, std::size_t
     return guides;
 }
 
+void extend(ObjectGuide& guide, const ObjectGuide& other) {
+    if (other.empty()) return;
+    if (guide.empty()) {
+        guide = other;
+        return;
+    }
+    const auto size = [](const ObjectGuide& one) {
+        return glm::ivec2(one.covered.width(), one.covered.height());
+    };
+    const glm::ivec2 low = glm::min(guide.origin, other.origin);
+    const glm::ivec2 high = glm::max(guide.origin + size(guide), other.origin + size(other));
+    ObjectGuide both{low, Image<std::uint8_t>(high.x - low.x, high.y - low.y),
+                     ScalarImage(high.x - low.x, high.y - low.y)};
+    for (const ObjectGuide* one : {&other, static_cast<const ObjectGuide*>(&guide)}) {
+        const glm::ivec2 shift = one->origin - low;
+        for (int y = 0; y < one->covered.height(); ++y)
+            for (int x = 0; x < one->covered.width(); ++x) {
+                if (!one->covered(x, y)) continue;
+                both.covered(x + shift.x, y + shift.y) = 1;
+                both.light(x + shift.x, y + shift.y) = one->light(x, y);
+            }
+    }
+    guide = std::move(both);
+}
+
 }  // namespace chiaro::methods

@@ -19,4 +19,8 @@ struct ObjectGuide {
 /// Throws Error when it shows another object.
 std::vector<ObjectGuide> objectGuides(const scene::GBuffer& gbuffer, std::size_t objects);
 
+/// Makes a guide cover what another one of the same object covers too, with the light that it has there;
+/// where both cover, the guide keeps its own.
+void extend(ObjectGuide& guide, const ObjectGuide& other);
+
 }  // namespace chiaro::methods

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ namespace chiaro::project {
 
 /// Keeps the order in which members were added, so that a saved file reads well in a diff.
 using Json = nlohmann::ordered_json;
+
+/// The JSON of a file of at most `limit` bytes. Throws Error naming the file; `remedy` says what file to
+/// choose when it isn't JSON.
+Json readJson(const std::filesystem::path& file, std::uintmax_t limit, const std::string& remedy);
 
 /// Reads members with the types they must have, and names file, place and member when they have another.
 class JsonReader {

@@ -191,14 +191,7 @@ Project projectFromJson(const Json& json, const fs::path& path) {
 }  // namespace
 
 Project readProject(const fs::path& path) {
-    const std::string text = readFile(path, largestFile);
-    Json json;
-    try {
-        json = Json::parse(text);
-    } catch (const Json::exception& error) {
-        throw Error(path.string(), std::string("is not JSON (") + error.what() + ")",
-                    "choose a project that Chiaro saved");
-    }
+    const Json json = readJson(path, largestFile, "choose a project that Chiaro saved");
     return projectFromJson(json, path);
 }
 

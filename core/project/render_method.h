@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/project/pipeline.h"
+#include "core/project/animation.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -19,6 +19,7 @@ struct RenderMethod {
     bool takesGuides;   ///< needs nothing of a view but light and object ids
     Rendering (*render)(const Project& project, const WornPaints& worn, const scene::GBuffer& gbuffer,
                         const Task& task);
+    std::unique_ptr<FramePainter> (*animate)(const Shot& shot, ShotViews& views);
     nlohmann::json (*parameters)(const Project& project);  ///< those that its pictures depend on
 };
 

@@ -50,6 +50,19 @@ Bounds boundsOf(const Mesh& mesh) {
     return builder.bounds();
 }
 
+Mesh merged(const std::vector<Mesh>& meshes) {
+    Mesh all;
+    for (const Mesh& mesh : meshes) {
+        const auto base = std::uint32_t(all.positions.size());
+        all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
+        all.normals.insert(all.normals.end(), mesh.normals.begin(), mesh.normals.end());
+        for (const Triangle& t : mesh.triangles)
+            all.triangles.push_back({base + t[0], base + t[1], base + t[2]});
+    }
+    if (all.normals.size() != all.positions.size()) all.normals.clear();
+    return all;
+}
+
 std::vector<std::uint32_t> weldedIndices(const Mesh& mesh) {
     const std::size_t count = mesh.positions.size();
     const std::size_t mask = std::bit_ceil(std::max<std::size_t>(count * 2, 16)) - 1;

@@ -45,6 +45,9 @@ private:
 /// Bounds of the vertices that triangles use. Throws nothing; an empty mesh has zero bounds.
 Bounds boundsOf(const Mesh& mesh);
 
+/// All as one nameless mesh, vertices and triangles in order; normals too if every mesh has them.
+Mesh merged(const std::vector<Mesh>& meshes);
+
 /// For each position the smallest index of a position equal to it: vertices that are one in space.
 std::vector<std::uint32_t> weldedIndices(const Mesh& mesh);
 

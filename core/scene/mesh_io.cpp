@@ -104,18 +104,6 @@ std::size_t completeNormals(Mesh& mesh, bool trusted) {
     return replaced;
 }
 
-/// All objects as one, to count edges: neighbouring objects of a file often share theirs.
-Mesh merged(const std::vector<Mesh>& meshes) {
-    Mesh all;
-    for (const Mesh& mesh : meshes) {
-        const auto base = std::uint32_t(all.positions.size());
-        all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
-        for (const Triangle& t : mesh.triangles)
-            all.triangles.push_back({base + t[0], base + t[1], base + t[2]});
-    }
-    return all;
-}
-
 /// Every object gets a name, and one of its own: the file's, cleaned up, with a number where it occurs again.
 void nameObjects(std::vector<Mesh>& meshes, const fs::path& path) {
     std::unordered_map<std::string, int> timesSeen;

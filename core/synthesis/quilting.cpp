@@ -22,7 +22,8 @@ public:
         : m_task(task),
           m_params(params),
           m_grid(grid),
-          m_source(*task.source),
+          m_own(task.prepared ? std::nullopt : std::optional<SearchTexture>(*task.source)),
+          m_source(task.prepared ? *task.prepared : *m_own),
           m_made(task.width, task.height),
           m_placed(std::size_t(grid.count())) {
         m_result.texture = ColorImage(task.width, task.height, glm::vec3(0));
@@ -165,7 +166,8 @@ private:
     const QuiltTask& m_task;
     const QuiltParams& m_params;
     const BlockGrid& m_grid;
-    SearchTexture m_source;
+    std::optional<SearchTexture> m_own;  // where the task has none
+    const SearchTexture& m_source;
     Image<SearchPixel> m_made;  // the picture as the search compares it; counts where there is something
     QuiltResult m_result;
     std::vector<std::optional<PlacedBlock>> m_placed;

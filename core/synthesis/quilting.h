@@ -49,6 +49,8 @@ struct PlacedBlock {
 /// What to quilt. The pictures that pointers lead to are as large as the picture to make, and may be absent.
 struct QuiltTask {
     const ColorImage* source = nullptr;  ///< difference RGB, at least a block large (see fittedBlock)
+    /// The source prepared for searches, where several pictures are made of it; without it that is done anew
+    const SearchTexture* prepared = nullptr;
     int width = 0, height = 0;           ///< of the picture
     bool wrap = false;                   ///< make it tile: the last blocks meet the first, in both directions
     const PixelMask* valid = nullptr;    ///< pixels to make; all without it. Others never count nor change

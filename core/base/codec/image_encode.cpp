@@ -46,6 +46,7 @@ std::string encodeImage(const EncodeRequest& request) {
     const OIIO::TypeDesc type = typeOf(request.type);
     OIIO::ImageSpec spec(request.width, request.height, request.channels, type);
     if (request.channels == 1) spec.channelnames = {"Y"};
+    if (request.channels == 2) spec.channelnames = {"X", "Y"};
     if (request.channels == 4 && request.format != ImageFormat::OpenExr)
         spec.attribute("oiio:UnassociatedAlpha", 1);
     describe(spec, request.format, request.metadata);

@@ -118,6 +118,14 @@ TEST(ImageBased, ASampleSmallerThanABlockAndABlockLargerThanThePictureFill) {
         EXPECT_EQ(texel, glm::vec3(0.25f));
 }
 
+TEST(ImageBased, ASampleThatWasPreparedGivesTheSameBytes) {
+    const ColorImage strip = noise(100, 40);
+    const synthesis::SearchTexture prepared(strip);
+    const GBuffer gbuffer = gbufferFromGuide(ballLight(60));
+    EXPECT_EQ(synthesizeImageBased(gbuffer, {{&strip, &prepared}}, small()).objects.at(0).pixels,
+              synthesizeImageBased(gbuffer, {&strip}, small()).objects.at(0).pixels);
+}
+
 TEST(ImageBased, OneThreadAndEightGiveTheSameBytes) {
     const ColorImage strip = noise(200, 60);
     const GBuffer gbuffer = gbufferFromGuide(ballLight(150));
