@@ -14,6 +14,9 @@ struct Change {
         Lights,
         Levels,       ///< how level stacks are made
         ViewAligned,  ///< how they are laid on the picture
+        Method,       ///< which method is shown
+        ImageBased,   ///< how image-based textures are made
+        Coherence,    ///< how their animations hang together
     };
     Kind kind = Kind::Everything;
     int index = 0;

@@ -78,6 +78,24 @@ void Document::editViewAligned(const methods::ViewAlignedParams& params) {
         [](auto& project) -> auto& { return project.viewAligned; }, params);
 }
 
+void Document::editMethod(const std::string& key) {
+    edit(
+        {Change::Kind::Method}, tr("Change Method"), [](auto& project) -> auto& { return project.method; },
+        key);
+}
+
+void Document::editImageBased(const methods::ImageBasedParams& params) {
+    edit(
+        {Change::Kind::ImageBased}, tr("Change Synthesis"),
+        [](auto& project) -> auto& { return project.imageBased; }, params);
+}
+
+void Document::editCoherence(const methods::CoherenceParams& params) {
+    edit(
+        {Change::Kind::Coherence}, tr("Change Coherence"),
+        [](auto& project) -> auto& { return project.coherence; }, params);
+}
+
 void Document::editLight(int light, glm::vec3 vector) {
     std::vector<scene::Light> lights = m_project.lights;
     lights[std::size_t(light)].vector = vector;

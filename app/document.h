@@ -39,6 +39,10 @@ public:
     void editGradient(int sample, const gradient::GradientParams& params);
     void editRecoloring(int sample, const std::optional<gradient::ColorPath>& path);
     void editLevels(const synthesis::LevelParams& params);
+    /// The key of a project::RenderMethod.
+    void editMethod(const std::string& key);
+    void editImageBased(const methods::ImageBasedParams& params);
+    void editCoherence(const methods::CoherenceParams& params);
     void editViewAligned(const methods::ViewAlignedParams& params);
     void editLight(int light, glm::vec3 vector);
 

@@ -6,6 +6,7 @@
 #include "app/empty_hint.h"
 #include "app/export_dialog.h"
 #include "app/job_status.h"
+#include "app/method_switch.h"
 #include "app/recent_files.h"
 #include "app/viewport_link.h"
 #include "core/base/error.h"
@@ -21,7 +22,7 @@ namespace chiaro::app {
 namespace {
 
 constexpr std::size_t memoBytes = std::size_t(1) << 30;
-constexpr int layoutVersion = 1;  ///< of the saved arrangement of docks
+constexpr int layoutVersion = 2;  ///< of the saved arrangement of docks
 constexpr glm::vec3 viewportBackground(0.165F);
 
 const char* const projectFilter = QT_TRANSLATE_NOOP("MainWindow", "Chiaro projects (*.chiaro)");
@@ -43,6 +44,7 @@ MainWindow::MainWindow()
     : m_memo(memoBytes),
       m_paints(m_document, m_jobs, m_memo),
       m_meshes(m_document, m_jobs, m_memo),
+      m_frameTextures(m_document, m_jobs, m_memo, m_paints, m_meshes),
       m_opener(m_document, m_jobs, m_paints, m_meshes) {
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
@@ -50,6 +52,7 @@ MainWindow::MainWindow()
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     makeCentralView();
     makeDocks();
+    makeToolBar();
     makeStatusBar();
     makeMenus();
     connectParts();
@@ -77,7 +80,7 @@ void MainWindow::makeCentralView() {
     layout->addWidget(m_viewport, 1);
     setCentralWidget(center);
     new EmptyHint(m_document, m_viewport);
-    new ViewportLink(m_document, m_paints, m_meshes, *m_viewport, center);
+    new ViewportLink(m_document, m_paints, m_meshes, m_frameTextures, *m_viewport, center);
 }
 
 void MainWindow::makeDocks() {
@@ -93,6 +96,17 @@ void MainWindow::makeDocks() {
 void MainWindow::arrangeDocks() {
     resizeDocks({m_sampleDock, m_gradientDock}, {340, 340}, Qt::Horizontal);
     resizeDocks({m_sampleDock, m_parametersDock}, {515, 335}, Qt::Vertical);
+}
+
+void MainWindow::makeToolBar() {
+    m_methods = new MethodSwitch(m_document, this);
+    QToolBar* bar = addToolBar(tr("Method"));
+    bar->setObjectName("method-bar");
+    bar->setMovable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    bar->setIconSize({16, 16});
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_methods->addTo(*bar);
 }
 
 void MainWindow::makeStatusBar() {
@@ -125,6 +139,7 @@ void MainWindow::makeMenus() {
     edit->addActions({undo, redo});
     makeViewMenu();
     makeSampleMenu();
+    m_methods->addTo(*menuBar()->addMenu(tr("&Render")));
     makeHelpMenu();
 }
 
@@ -181,7 +196,10 @@ void MainWindow::makeSampleMenu() {
     sample->addSeparator();
     edits << addAction(*sample, "paint", tr("&Paint Everything"), {},
                        [this] { m_document.wearEverywhere(m_sampleDock->currentSample()); });
-    addAction(*sample, nullptr, tr("&Synthesise Again"), QKeySequence("F5"), [this] { m_paints.retry(); });
+    addAction(*sample, nullptr, tr("&Synthesise Again"), QKeySequence("F5"), [this] {
+        m_paints.retry();
+        m_frameTextures.retry();
+    });
     connect(sample, &QMenu::aboutToShow, this, [this, edits] {
         for (QAction* action : edits) action->setEnabled(m_sampleDock->currentSample() >= 0);
     });
@@ -218,8 +236,12 @@ void MainWindow::connectParts() {
             [this] { openByDialog(tr("Open Strip"), tr(stripFilter)); });
     connect(m_viewport, &widgets::Viewport::filesDropped, this, &MainWindow::open);
     connect(m_viewport, &widgets::Viewport::frameDrawn, this, [this](double milliseconds) {
-        m_frameTime->setText(tr("View-aligned · %1 ms").arg(milliseconds, 0, 'f', 1));
+        m_frameTime->setText(tr("%1 · %2 ms").arg(m_methods->shownLabel()).arg(milliseconds, 0, 'f', 1));
     });
+}
+
+QString MainWindow::frameText() const {
+    return m_frameTime->text();
 }
 
 void MainWindow::setNavigation(int navigation) {

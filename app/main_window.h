@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/document.h"
+#include "app/frame_textures.h"
 #include "app/jobs/job_runner.h"
 #include "app/jobs/memo.h"
 #include "app/meshes.h"
@@ -19,6 +20,7 @@ class Viewport;
 namespace chiaro::app {
 
 class GradientDock;
+class MethodSwitch;
 class ParametersDock;
 class RecentFiles;
 class SampleDock;
@@ -39,10 +41,12 @@ public:
     Document& document() { return m_document; }
     JobRunner& jobs() { return m_jobs; }
     Paints& paints() { return m_paints; }
+    FrameTextures& frameTextures() { return m_frameTextures; }
     widgets::Viewport& viewport() { return *m_viewport; }
     widgets::MessageBar& messages() { return *m_messages; }
     SampleDock& sampleDock() { return *m_sampleDock; }
     GradientDock& gradientDock() { return *m_gradientDock; }
+    QString frameText() const;  ///< in the status bar: the method and its frame time
 
 public Q_SLOTS:
     /// False when the artist changed their mind or the disk refused.
@@ -64,6 +68,7 @@ private:
     void makeCentralView();
     void makeDocks();
     void arrangeDocks();
+    void makeToolBar();
     void makeStatusBar();
     void makeMenus();
     void makeFileMenu();
@@ -89,8 +94,10 @@ private:
     JobRunner m_jobs;
     Paints m_paints;
     Meshes m_meshes;
+    FrameTextures m_frameTextures;
     Opener m_opener;
 
+    MethodSwitch* m_methods = nullptr;
     widgets::MessageBar* m_messages = nullptr;
     widgets::Viewport* m_viewport = nullptr;
     SampleDock* m_sampleDock = nullptr;

@@ -16,6 +16,16 @@ std::uint64_t modelKey(const std::filesystem::path& path) {
     return Hasher().add("model").add(path.string()).value();
 }
 
+std::uint64_t contentKeyOf(const std::vector<std::shared_ptr<const scene::Mesh>>& meshes) {
+    Hasher hasher;
+    for (const auto& mesh : meshes)
+        hasher.add(mesh->name)
+            .add(std::span<const glm::vec3>(mesh->positions))
+            .add(std::span<const glm::vec3>(mesh->normals))
+            .add(std::span<const scene::Triangle>(mesh->triangles));
+    return hasher.value();
+}
+
 }  // namespace
 
 LoadedModel LoadedModel::read(const std::filesystem::path& path, const Task& task) {
@@ -24,6 +34,7 @@ LoadedModel LoadedModel::read(const std::filesystem::path& path, const Task& tas
     for (scene::Mesh& mesh : model.meshes)
         loaded.meshes.push_back(std::make_shared<const scene::Mesh>(std::move(mesh)));
     loaded.warnings = std::move(model.warnings);
+    loaded.contentKey = contentKeyOf(loaded.meshes);
     return loaded;
 }
 

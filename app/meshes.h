@@ -21,6 +21,7 @@ class Memo;
 struct LoadedModel {
     std::vector<std::shared_ptr<const scene::Mesh>> meshes;
     std::vector<std::string> warnings;
+    std::uint64_t contentKey = 0;  ///< hash of the meshes
 
     /// Throws Error, Cancelled.
     static LoadedModel read(const std::filesystem::path& path, const Task& task);
@@ -38,6 +39,8 @@ public:
 
     /// With the document's lights, and who wears which sample.
     scene::Scene scene() const;
+    /// Hash of the meshes that the scene is made of; 0 without any.
+    std::uint64_t contentKey() const { return m_model ? m_model->contentKey : 0; }
     /// Hands over a model that is already read. To be called before the document names its file.
     void remember(const std::filesystem::path& path, LoadedModel model);
 

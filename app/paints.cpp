@@ -5,6 +5,7 @@
 #include "app/jobs/memo.h"
 #include "core/base/hash.h"
 #include "core/project/pipeline.h"
+#include "core/project/render_method.h"
 #include "widgets/picture.h"
 
 #include <QtWidgets>
@@ -33,13 +34,14 @@ std::size_t bytesOf(const synthesis::LevelStack& stack) {
 }
 
 std::shared_ptr<const SeparatedStrip> separateStrip(std::shared_ptr<const ColorImage> strip,
-                                                    const gradient::GradientParams& params,
+                                                    const gradient::GradientParams& params, std::uint64_t key,
                                                     const Task& task) {
-    SeparatedStrip separated{std::move(strip), params, {}, nullptr};
+    SeparatedStrip separated{std::move(strip), params, {}, nullptr, nullptr, key};
     separated.separation = gradient::separate(*separated.strip, params, task);
     separated.pictures = std::make_shared<const widgets::StripPictures>(
         widgets::StripPictures::of(*separated.strip, separated.separation));
-    separated.separation.texture = {};  // the pictures hold what is shown of it
+    separated.texture = std::make_shared<const ColorImage>(std::move(separated.separation.texture));
+    separated.separation.texture = {};
     return std::make_shared<const SeparatedStrip>(std::move(separated));
 }
 
@@ -88,9 +90,12 @@ void Paints::applyChange(Change change) {
             if (m_document.isEditing()) m_rest.start();
             return refreshAll();
         case Change::Kind::Mesh:
+        case Change::Kind::Method:
             return refreshAll();
         case Change::Kind::Lights:
         case Change::Kind::ViewAligned:
+        case Change::Kind::ImageBased:
+        case Change::Kind::Coherence:
             return;
     }
 }
@@ -107,6 +112,10 @@ gradient::Gradient Paints::gradient(int sample) const {
     for (double u : edited.gradient.curve.sampled(int(separated->separation.sorted.size())))
         followed.push_back(gradient::lookUp(separated->separation.sorted, float(u)));
     return followed;
+}
+
+bool Paints::isSeparating(int sample) const {
+    return m_jobs.isRunning(slotName("scan", sample)) || m_jobs.isRunning(slotName("separation", sample));
 }
 
 void Paints::remember(const std::filesystem::path& path, LoadedScan scan) {
@@ -130,6 +139,8 @@ void Paints::refresh(int sample) {
     const Keys keys = keysOf(sample);
     if (!showScan(sample, keys)) return readScan(sample, keys);
     if (!showSeparation(sample, keys)) return separate(sample, keys);
+    const project::RenderMethod* method = project::findRenderMethod(m_document.project().method);
+    if (!method || !method->usesLevels) return m_jobs.supersede(slotName("levels", sample));
     if (m_document.isWorn(sample)) refreshLevels(sample, keys);
 }
 
@@ -208,14 +219,14 @@ void Paints::separate(int sample, const Keys& keys) {
     m_jobs.start(
         spec(tr("Separating %1"), "separation", sample, keys.separation),
         [scan = state(sample).scan, strip = m_memo.find<ColorImage>(keys.strip), cut = edited.strip,
-         params = edited.gradient](const Task& task) {
+         params = edited.gradient, key = keys.separation](const Task& task) {
             auto cutStrip =
                 strip ? strip : std::make_shared<const ColorImage>(sample::makeStrip(scan->image, cut));
-            return separateStrip(std::move(cutStrip), params, task);
+            return separateStrip(std::move(cutStrip), params, key, task);
         },
         [this, sample, keys](std::shared_ptr<const SeparatedStrip> separated) {
             const std::size_t bytes = separated->strip->pixelCount() * sizeof(glm::vec3);
-            m_memo.insert(keys.strip, separated->strip, bytes);
+            m_memo.insert(keys.strip, separated->strip, bytes);  // and as much for the texture
             m_memo.insert(keys.separation, separated, bytes);
             setSeparation(sample, keys.separation, std::move(separated));
             refresh(sample);

@@ -39,15 +39,18 @@ struct LoadedScan {
 struct SeparatedStrip {
     std::shared_ptr<const ColorImage> strip;
     gradient::GradientParams params;  ///< that it was separated with
-    gradient::Separation separation;  ///< without its texture
+    gradient::Separation separation;  ///< without its texture, which is
+    std::shared_ptr<const ColorImage> texture;
     std::shared_ptr<const widgets::StripPictures> pictures;
+    std::uint64_t key = 0;  ///< hash of what it comes from
 };
 
 /// What becomes of the document's samples: scan, strip and separation, level stack. Each stage is made in the
 /// background under the hash of what it comes from, so that nothing is made twice while it is remembered.
 ///
-/// Recolouring is in no stage's hash: it changes the gradient in the same call and synthesises nothing. While
-/// the artist drags something that does reach the levels, these wait until the edit is finished or rests.
+/// Levels are made only while the document's method uses them. Recolouring is in no stage's hash: it changes
+/// the gradient in the same call and synthesises nothing. While the artist drags something that does reach
+/// the levels, these wait until the edit is finished or rests.
 class Paints : public QObject {
     Q_OBJECT
 
@@ -66,6 +69,8 @@ public:
     const State& state(int sample) const { return m_states[std::size_t(sample)].shown; }
     /// The colours that the sample shows now: its recolouring, or its own gradient; empty while unknown.
     gradient::Gradient gradient(int sample) const;
+    /// True while the sample is read or separated.
+    bool isSeparating(int sample) const;
     /// How many level stacks were begun, coarse ones included.
     int synthesisCount() const { return m_synthesisCount; }
 

@@ -3,6 +3,8 @@
 #include "core/base/image_io.h"
 #include "core/project/pipeline.h"
 
+#include <opencv2/imgproc.hpp>
+
 #include <algorithm>
 
 namespace chiaro::app {
@@ -51,22 +53,67 @@ std::vector<methods::ViewAlignedPaint> paintsOfObjects(const PictureSource& sour
     return paints;
 }
 
+/// The view-aligned texture where it lies in the viewport.
+methods::Frame placedFrame(PictureSource source, const scene::GBuffer& gbuffer, float pixelsPerPixel,
+                           const Task& task) {
+    makeMissingPaints(source, task.part(0, 0.7));
+    methods::ViewAlignedParams params = source.project.viewAligned;
+    params.density /= double(pixelsPerPixel);
+    return methods::renderViewAligned(gbuffer, paintsOfObjects(source, pixelsPerPixel), params,
+                                      task.part(0.7, 1));
+}
+
+ColorImage scaled(const ColorImage& texture, float factor) {
+    if (factor == 1) return texture;
+    const auto size = [factor](int side) { return std::max(4, int(std::lround(float(side) * factor))); };
+    ColorImage result(size(texture.width()), size(texture.height()));
+    ColorImage copy = texture;  // OpenCV has no pictures that can't be written to
+    const cv::Mat from(copy.height(), copy.width(), CV_32FC3, copy.pixels().data());
+    cv::Mat to(result.height(), result.width(), CV_32FC3, result.pixels().data());
+    cv::resize(from, to, to.size(), 0, 0, factor < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
+    return result;
+}
+
+/// A texture that is made for this picture: of larger strokes where the picture is larger.
+methods::Frame synthesizedFrame(const PictureSource& source, const scene::GBuffer& gbuffer,
+                                float pixelsPerPixel, const Task& task) {
+    std::vector<project::Paint> paints(source.paints.size());
+    for (std::size_t i = 0; i < paints.size(); ++i) {
+        if (!isWorn(source.scene, int(i))) continue;
+        paints[i] = project::preparePaint(source.project, i, task.part(0, 0.4));
+        paints[i].separation.texture = scaled(paints[i].separation.texture, pixelsPerPixel);
+        if (!source.paints[i].gradient.empty()) paints[i].shown = source.paints[i].gradient;
+    }
+    project::Paint bare;
+    bare.separation.texture = unpainted().levels->levels.front();
+    bare.shown = unpainted().gradient;
+    project::WornPaints worn;
+    for (const scene::Object& object : source.scene.objects)
+        worn.push_back(std::size_t(object.sample) < paints.size() ? &paints[std::size_t(object.sample)]
+                                                                  : &bare);
+    project::Project project = source.project;
+    synthesis::QuiltParams& quilt = project.imageBased.quilt;
+    const auto length = [&](int pixels) { return int(std::lround(float(pixels) * pixelsPerPixel)); };
+    quilt.block = std::clamp(length(quilt.block), 4, 256);
+    quilt.overlap = std::clamp(length(quilt.overlap), 0, 128);
+    return project::renderFrame(project, worn, gbuffer, task.part(0.4, 1)).frame;
+}
+
 }  // namespace
 
 void exportPicture(PictureSource source, const PictureSettings& settings, const Task& task) {
-    makeMissingPaints(source, task.part(0, 0.5));
-    const scene::RayScene rays(source.scene, task.part(0.5, 0.6));
-    const scene::GBuffer gbuffer = scene::castGBuffer(rays, source.scene.lights, source.camera,
-                                                      settings.width, settings.height, task.part(0.6, 0.8));
-    methods::ViewAlignedParams params = source.project.viewAligned;
     float pixelsPerPixel = 1;
     if (settings.keepsScale) {
         const int from = std::max(1, std::min(source.viewportWidth, source.viewportHeight));
         pixelsPerPixel = float(std::min(settings.width, settings.height)) / float(from);
-        params.density /= double(pixelsPerPixel);
     }
-    const auto paints = paintsOfObjects(source, pixelsPerPixel);
-    const methods::Frame frame = methods::renderViewAligned(gbuffer, paints, params, task.part(0.8, 0.95));
+    const scene::RayScene rays(source.scene, task.part(0, 0.1));
+    const scene::GBuffer gbuffer = scene::castGBuffer(rays, source.scene.lights, source.camera,
+                                                      settings.width, settings.height, task.part(0.1, 0.3));
+    const bool isPlaced = source.project.method == "view-aligned";
+    const methods::Frame frame =
+        isPlaced ? placedFrame(std::move(source), gbuffer, pixelsPerPixel, task.part(0.3, 0.95))
+                 : synthesizedFrame(source, gbuffer, pixelsPerPixel, task.part(0.3, 0.95));
     const ImageMetadata metadata{{"Software", "Chiaro " CHIARO_VERSION}};
     task.checkpoint();
     if (settings.transparent)

@@ -38,7 +38,8 @@ struct PictureSource {
     int viewportHeight = 1080;
 };
 
-/// Renders by core, deterministic, and writes the picture atomically. Throws Error, Cancelled.
+/// Renders by core and by the project's method, deterministic, and writes the picture atomically. Throws
+/// Error, Cancelled.
 void exportPicture(PictureSource source, const PictureSettings& settings, const Task& task);
 
 }  // namespace chiaro::app

@@ -1,6 +1,7 @@
 #include "app/viewport_link.h"
 
 #include "app/document.h"
+#include "app/frame_textures.h"
 #include "app/meshes.h"
 #include "app/paints.h"
 #include "core/project/pipeline.h"
@@ -12,19 +13,29 @@ namespace chiaro::app {
 
 using widgets::Viewport;
 
-ViewportLink::ViewportLink(Document& document, Paints& paints, Meshes& meshes, Viewport& viewport,
-                           QObject* parent)
-    : QObject(parent), m_document(document), m_paints(paints), m_meshes(meshes), m_viewport(viewport) {
+ViewportLink::ViewportLink(Document& document, Paints& paints, Meshes& meshes, FrameTextures& textures,
+                           Viewport& viewport, QObject* parent)
+    : QObject(parent),
+      m_document(document),
+      m_paints(paints),
+      m_meshes(meshes),
+      m_textures(textures),
+      m_viewport(viewport) {
     connect(&document, &Document::changed, this, &ViewportLink::applyChange);
     connect(&meshes, &Meshes::sceneChanged, this, &ViewportLink::showScene);
     connect(&paints, &Paints::levelsChanged, this, &ViewportLink::showPaint);
     connect(&paints, &Paints::gradientChanged, this,
             [this](int sample) { m_viewport.setGradient(sample, m_paints.gradient(sample)); });
+    connect(&textures, &FrameTextures::textureChanged, this,
+            [this] { m_viewport.setViewTexture(m_textures.texture()); });
+    connect(&viewport, &Viewport::viewChanged, this,
+            [this] { m_textures.setView(m_viewport.camera(), m_viewport.pixels()); });
     connect(&viewport, &Viewport::cameraEdited, &document, &Document::setCamera);
     connect(&viewport, &Viewport::lightEdited, &document, &Document::editLight);
     connect(&viewport, &Viewport::lightEditFinished, &document, &Document::finishEdit);
     applyChange({});
     showScene();
+    m_textures.setView(m_viewport.camera(), m_viewport.pixels());
 }
 
 void ViewportLink::applyChange(Change change) {
@@ -32,6 +43,7 @@ void ViewportLink::applyChange(Change change) {
     const project::Project& project = m_document.project();
     switch (change.kind) {
         case Kind::Everything:
+            m_viewport.setMethod(project.method);
             m_viewport.setParams(project.viewAligned);
             m_viewport.setLights(project.lights);
             [[fallthrough]];
@@ -47,6 +59,11 @@ void ViewportLink::applyChange(Change change) {
         case Kind::ViewAligned:
             m_viewport.setParams(project.viewAligned);
             break;
+        case Kind::Method:
+            m_viewport.setMethod(project.method);
+            break;
+        case Kind::ImageBased:
+        case Kind::Coherence:
         case Kind::Strip:
         case Kind::Gradient:
         case Kind::Recoloring:

@@ -15,6 +15,7 @@ class Viewport;
 namespace chiaro::app {
 
 class Document;
+class FrameTextures;
 class Meshes;
 class Paints;
 
@@ -23,8 +24,8 @@ class ViewportLink : public QObject {
     Q_OBJECT
 
 public:
-    ViewportLink(Document& document, Paints& paints, Meshes& meshes, widgets::Viewport& viewport,
-                 QObject* parent = nullptr);
+    ViewportLink(Document& document, Paints& paints, Meshes& meshes, FrameTextures& textures,
+                 widgets::Viewport& viewport, QObject* parent = nullptr);
 
 private:
     void applyChange(Change change);
@@ -34,6 +35,7 @@ private:
     Document& m_document;
     Paints& m_paints;
     Meshes& m_meshes;
+    FrameTextures& m_textures;
     widgets::Viewport& m_viewport;
     int m_shownSamples = 0;
     std::vector<std::shared_ptr<const scene::Mesh>> m_framed;  ///< that the camera was aimed at

@@ -190,6 +190,17 @@ void CropCanvas::leaveEvent(QEvent* event) {
     QWidget::leaveEvent(event);
 }
 
+bool CropCanvas::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        // Digits select parts here, whatever else they are shortcuts of.
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (!m_scanSize.isEmpty() && key->modifiers() == Qt::NoModifier && key->key() >= Qt::Key_0 &&
+            key->key() <= Qt::Key_4)
+            event->accept();
+    }
+    return QWidget::event(event);
+}
+
 void CropCanvas::keyPressEvent(QKeyEvent* event) {
     if (m_scanSize.isEmpty()) return QWidget::keyPressEvent(event);
     if (event->key() >= Qt::Key_0 && event->key() <= Qt::Key_4) {

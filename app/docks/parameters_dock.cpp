@@ -9,58 +9,97 @@ namespace chiaro::app {
 
 using widgets::ParameterForm;
 
+namespace {
+
+QWidget* sectionWidget(const QString& heading, const QString& note, ParameterForm* form) {
+    auto* section = new QWidget;
+    auto* layout = new QVBoxLayout(section);
+    layout->setContentsMargins(0, 0, 0, 8);
+    layout->setSpacing(6);
+    auto* label = new QLabel(heading);
+    label->setProperty("heading", true);
+    label->setIndent(0);
+    layout->addWidget(label);
+    if (!note.isEmpty()) {
+        auto* explanation = new QLabel(note);
+        explanation->setProperty("note", true);
+        explanation->setWordWrap(true);
+        layout->addWidget(explanation);
+    }
+    layout->addWidget(form);
+    return section;
+}
+
+/// Of a struct that is edited whole.
+constexpr auto itself = [](auto& params) -> auto& {
+    return params;
+};
+constexpr auto itsQuilting = [](auto& params) -> auto& {
+    return params.quilt;
+};
+
+}  // namespace
+
 ParametersDock::ParametersDock(Document& document)
     : Dock("parameters-dock", tr("Parameters"), new QWidget),
       m_document(document),
-      m_strokes(widgets::makeParameterForm<methods::ViewAlignedParams>()),
-      m_levels(widgets::makeParameterForm<synthesis::LevelParams>()),
-      m_quilting(widgets::makeParameterForm<synthesis::QuiltParams>()) {
-    auto* layout = new QVBoxLayout(static_cast<QScrollArea*>(widget())->widget());
-    layout->setContentsMargins(10, 8, 10, 10);
-    layout->setSpacing(6);
-    addForm(*layout, tr("Strokes"), m_strokes);
-    addForm(*layout, tr("Levels"), m_levels);
-    addForm(*layout, tr("Quilting"), m_quilting);
-    layout->addStretch(1);
-
-    connect(m_strokes, &ParameterForm::valueEdited, this, [this] {
-        methods::ViewAlignedParams params = m_document.project().viewAligned;
-        methods::ViewAlignedParams::table().assign(params, m_strokes->values());
-        m_document.editViewAligned(params);
-    });
-    connect(m_levels, &ParameterForm::valueEdited, this, [this] {
-        synthesis::LevelParams params = m_document.project().levels;
-        synthesis::LevelParams::table().assign(params, m_levels->values());
-        m_document.editLevels(params);
-    });
-    connect(m_quilting, &ParameterForm::valueEdited, this, [this] {
-        synthesis::LevelParams params = m_document.project().levels;
-        synthesis::QuiltParams::table().assign(params.quilt, m_quilting->values());
-        m_document.editLevels(params);
-    });
-    for (ParameterForm* form : {m_strokes, m_levels, m_quilting})
-        connect(form, &ParameterForm::editFinished, &document, &Document::finishEdit);
+      m_layout(new QVBoxLayout(static_cast<QScrollArea*>(widget())->widget())) {
+    m_layout->setContentsMargins(10, 8, 10, 2);
+    m_layout->setSpacing(6);
+    addImageBased();
+    addViewAligned();
+    m_layout->addStretch(1);
     connect(&document, &Document::changed, this, &ParametersDock::applyChange);
     applyChange({});
 }
 
-void ParametersDock::addForm(QVBoxLayout& layout, const QString& heading, ParameterForm* form) {
-    auto* label = new QLabel(heading);
-    label->setProperty("heading", true);
-    label->setIndent(0);
-    if (layout.count() > 0) layout.addSpacing(8);
-    layout.addWidget(label);
-    layout.addWidget(form);
+void ParametersDock::addImageBased() {
+    using Kind = Change::Kind;
+    using project::Project;
+    addSection<methods::ImageBasedParams>({"image-based", tr("Synthesis"), Kind::ImageBased},
+                                          &Project::imageBased, itself, &Document::editImageBased);
+    addSection<synthesis::QuiltParams>({"image-based", tr("Quilting"), Kind::ImageBased},
+                                       &Project::imageBased, itsQuilting, &Document::editImageBased);
+    addSection<methods::CoherenceParams>({"image-based", tr("Coherence"), Kind::Coherence,
+                                          tr("For animations; the picture here stays as it is.")},
+                                         &Project::coherence, itself, &Document::editCoherence);
+}
+
+void ParametersDock::addViewAligned() {
+    using Kind = Change::Kind;
+    using project::Project;
+    addSection<methods::ViewAlignedParams>({"view-aligned", tr("Strokes"), Kind::ViewAligned},
+                                           &Project::viewAligned, itself, &Document::editViewAligned);
+    addSection<synthesis::LevelParams>({"view-aligned", tr("Levels"), Kind::Levels}, &Project::levels, itself,
+                                       &Document::editLevels);
+    addSection<synthesis::QuiltParams>({"view-aligned", tr("Quilting"), Kind::Levels}, &Project::levels,
+                                       itsQuilting, &Document::editLevels);
+}
+
+template <class Params, class Whole, class Part>
+void ParametersDock::addSection(const Heading& heading, Whole project::Project::*whole, Part part,
+                                void (Document::*edit)(const Whole&)) {
+    ParameterForm* form = widgets::makeParameterForm<Params>();
+    QWidget* section = sectionWidget(heading.text, heading.note, form);
+    section->setObjectName(QString::fromStdString(heading.method) + "/" + heading.text);
+    m_layout->addWidget(section);
+    connect(form, &ParameterForm::valueEdited, this, [this, form, whole, part, edit] {
+        Whole edited = m_document.project().*whole;
+        Params::table().assign(part(edited), form->values());
+        (m_document.*edit)(edited);
+    });
+    connect(form, &ParameterForm::editFinished, &m_document, &Document::finishEdit);
+    m_sections.push_back({heading, section, [this, form, whole, part] {
+                              form->setValues(Params::table().values(part(m_document.project().*whole)));
+                          }});
 }
 
 void ParametersDock::applyChange(Change change) {
     using Kind = Change::Kind;
-    const project::Project& project = m_document.project();
-    if (change.kind == Kind::Everything || change.kind == Kind::ViewAligned)
-        m_strokes->setValues(methods::ViewAlignedParams::table().values(project.viewAligned));
-    if (change.kind == Kind::Everything || change.kind == Kind::Levels) {
-        m_levels->setValues(synthesis::LevelParams::table().values(project.levels));
-        m_quilting->setValues(synthesis::QuiltParams::table().values(project.levels.quilt));
+    for (const Section& section : m_sections) {
+        if (change.kind == Kind::Everything || change.kind == section.heading.kind) section.show();
+        if (change.kind == Kind::Everything || change.kind == Kind::Method)
+            section.widget->setVisible(section.heading.method == m_document.project().method);
     }
 }
 

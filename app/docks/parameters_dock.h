@@ -2,6 +2,9 @@
 
 #include "app/change.h"
 #include "app/docks/dock.h"
+#include "core/project/project.h"
+
+#include <functional>
 
 namespace chiaro::widgets {
 class ParameterForm;
@@ -13,7 +16,7 @@ namespace chiaro::app {
 
 class Document;
 
-/// The parameters of the method: how levels are made, how they are quilted, how they lie on the picture.
+/// The parameters of the method that is shown: sections, each a form over one struct of the project.
 class ParametersDock : public Dock {
     Q_OBJECT
 
@@ -21,13 +24,29 @@ public:
     explicit ParametersDock(Document& document);
 
 private:
-    void addForm(QVBoxLayout& layout, const QString& heading, widgets::ParameterForm* form);
+    /// What a section says of itself.
+    struct Heading {
+        std::string method;  ///< whose parameters these are
+        QString text;
+        Change::Kind kind;  ///< the change that an edit of them is
+        QString note = {};
+    };
+    struct Section {
+        Heading heading;
+        QWidget* widget = nullptr;
+        std::function<void()> show;  ///< the project's values
+    };
+    /// `part` gives the struct that the form edits, of the `whole` that `edit` takes.
+    template <class Params, class Whole, class Part>
+    void addSection(const Heading& heading, Whole project::Project::*whole, Part part,
+                    void (Document::*edit)(const Whole&));
+    void addImageBased();
+    void addViewAligned();
     void applyChange(Change change);
 
     Document& m_document;
-    widgets::ParameterForm* m_strokes = nullptr;
-    widgets::ParameterForm* m_levels = nullptr;
-    widgets::ParameterForm* m_quilting = nullptr;
+    QVBoxLayout* m_layout = nullptr;
+    std::vector<Section> m_sections;
 };
 
 }  // namespace chiaro::app

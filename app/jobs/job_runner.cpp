@@ -28,7 +28,7 @@ JobRunner::~JobRunner() {
 }
 
 int JobRunner::launch(JobSpec spec, Work work) {
-    if (!spec.slot.isEmpty()) supersede(spec.slot);
+    if (!spec.slot.isEmpty()) drop(spec.slot);
     const int number = ++m_last;
     auto job = std::make_shared<Job>();
     job->spec = std::move(spec);
@@ -88,12 +88,16 @@ bool JobRunner::isRunning(const QString& slot) const {
                        [&](const auto& job) { return job.second->spec.slot == slot; });
 }
 
+bool JobRunner::drop(const QString& slot) {
+    return std::erase_if(m_jobs, [&](const auto& job) {
+               if (job.second->spec.slot != slot) return false;
+               job.second->stop.request_stop();
+               return true;
+           }) > 0;
+}
+
 void JobRunner::supersede(const QString& slot) {
-    std::erase_if(m_jobs, [&](const auto& job) {
-        if (job.second->spec.slot != slot) return false;
-        job.second->stop.request_stop();
-        return true;
-    });
+    if (drop(slot)) ended();
 }
 
 void JobRunner::cancel(int number) {

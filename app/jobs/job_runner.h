@@ -74,6 +74,8 @@ private:
     using Work = std::function<std::function<void()>(const Task& task)>;
 
     int launch(JobSpec spec, Work work);
+    /// False when nothing runs in the slot.
+    bool drop(const QString& slot);
     void finish(int number, const std::function<void()>& done, const QString& error);
     void ended();
 

@@ -133,19 +133,21 @@ TexturePlacement follow(const TexturePlacement& placement, const scene::Mesh& me
 ZoomOctaves zoomOctaves(float zoom) {
     const float octave = std::log2(zoom);
     const float fraction = octave - std::floor(octave);
-    const float norm = 1 / std::sqrt(fraction * fraction + (1 - fraction) * (1 - fraction));
-    return {std::exp2(-fraction), std::exp2(1 - fraction), (1 - fraction) * norm, fraction * norm};
+    const float faded = std::clamp(3 * fraction - 1, 0.0f, 1.0f);
+    const float norm = 1 / std::sqrt(faded * faded + (1 - faded) * (1 - faded));
+    return {std::exp2(-fraction), std::exp2(1 - fraction), (1 - faded) * norm, faded * norm};
 }
 
 glm::vec3 viewAlignedTexture(const ViewAlignedPaint& paint, const ViewAlignedParams& params,
                              glm::vec2 position, float light) {
     const glm::vec2 anchored = position - paint.placement.offset;
     const ZoomOctaves octaves = zoomOctaves(params.followZoom ? paint.placement.zoom : 1.0f);
-    const float scale = octaves.scale * float(params.density);
-    const glm::vec3 first = octaves.weight * filteredTexel(*paint.levels, anchored * scale, scale, light);
-    if (octaves.nextWeight == 0) return first;
-    const float nextScale = octaves.nextScale * float(params.density);
-    return first + octaves.nextWeight * filteredTexel(*paint.levels, anchored * nextScale, nextScale, light);
+    const auto octave = [&](float octaveScale, float weight) {
+        if (weight == 0) return glm::vec3(0);
+        const float scale = octaveScale * float(params.density);
+        return weight * filteredTexel(*paint.levels, anchored * scale, scale, light);
+    };
+    return octave(octaves.scale, octaves.weight) + octave(octaves.nextScale, octaves.nextWeight);
 }
 
 Frame renderViewAligned(const scene::GBuffer& gbuffer, const std::vector<ViewAlignedPaint>& paints,

@@ -39,9 +39,10 @@ struct ObjectView {
 TexturePlacement follow(const TexturePlacement& placement, const scene::Mesh& mesh, const ObjectView& before,
                         const ObjectView& after, const ViewAlignedParams& params);
 
-/// The two octaves of the texture that a zoom cross-fades. Zooming in by 2 magnifies the first from its own
-/// size to twice that, while the second, twice as fine, fades in and ends as the first did: no jump, strokes
-/// keep their size.
+/// The two octaves of the texture that a zoom cross-fades. Zooming in by 2 magnifies the first, then, within
+/// the middle third of the way (in steps of equal zoom), the second, twice as fine, takes its place and ends
+/// as the first began: no jump, strokes keep their size within a factor of 2^(2/3), and two thirds of all
+/// zooms show one octave, which costs half.
 struct ZoomOctaves {
     float scale = 1;  ///< texture pixels per screen pixel of the first octave, before density; in (0.5, 1]
     float nextScale = 2;  ///< of the second

@@ -51,6 +51,14 @@ bool Studio::open(const std::vector<std::filesystem::path>& paths) {
     return settle();
 }
 
+Watchdog::Watchdog() {
+    m_heart.setInterval(1);
+    QObject::connect(&m_heart, &QTimer::timeout, &m_heart,
+                     [this] { m_longest = std::max(m_longest, m_beat.restart()); });
+    m_beat.start();
+    m_heart.start();
+}
+
 project::Project withoutCamera(project::Project project) {
     project.camera = {};
     project.frameCamera = true;

@@ -1,12 +1,16 @@
 #pragma once
 
 #include "app/document.h"
+#include "app/frame_textures.h"
 #include "app/jobs/job_runner.h"
 #include "app/jobs/memo.h"
 #include "app/meshes.h"
 #include "app/opener.h"
 #include "app/paints.h"
 #include "tests/support/support.h"
+
+#include <QElapsedTimer>
+#include <QTimer>
 
 #include <filesystem>
 
@@ -24,6 +28,7 @@ struct Studio {
     app::JobRunner jobs;
     app::Paints paints{document, jobs, memo};
     app::Meshes meshes{document, jobs, memo};
+    app::FrameTextures frameTextures{document, jobs, memo, paints, meshes};
     app::Opener opener{document, jobs, paints, meshes};
     std::vector<QString> errors;
 
@@ -33,6 +38,18 @@ struct Studio {
     bool settle();
     /// Opens files and waits.
     bool open(const std::vector<std::filesystem::path>& paths);
+};
+
+/// The longest time that the thread of windows was held up since this began.
+class Watchdog {
+public:
+    Watchdog();
+    qint64 longest() const { return m_longest; }  ///< ms
+
+private:
+    QTimer m_heart;
+    QElapsedTimer m_beat;
+    qint64 m_longest = 0;
 };
 
 /// The project without its camera, which is no part of the history.

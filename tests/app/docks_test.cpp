@@ -37,25 +37,10 @@ struct Docks {
     const project::Sample& current() {
         return studio.document.project().samples[std::size_t(sample->currentSample())];
     }
-    QUndoStack& undo() { return studio.document.undoStack(); }
-};
-
-/// The longest time that the thread of windows was held up while something ran.
-class Watchdog {
-public:
-    Watchdog() {
-        m_heart.setInterval(1);
-        QObject::connect(&m_heart, &QTimer::timeout, &m_heart,
-                         [this] { m_longest = std::max(m_longest, m_beat.restart()); });
-        m_beat.start();
-        m_heart.start();
+    QWidget* section(const QString& method, const QString& heading) {
+        return parameters->findChild<QWidget*>(method + "/" + heading);
     }
-    qint64 longest() const { return m_longest; }
-
-private:
-    QTimer m_heart;
-    QElapsedTimer m_beat;
-    qint64 m_longest = 0;
+    QUndoStack& undo() { return studio.document.undoStack(); }
 };
 
 }  // namespace
@@ -127,23 +112,62 @@ private Q_SLOTS:
 
     void parametersReachTheProjectAndComeBackWithUndo() {
         Docks docks;
-        auto* block = docks.parameters->findChild<QDoubleSpinBox*>("block");
-        const double before = block->value();
-        block->selectAll();
-        QTest::keyClicks(block, "24");
-        QTest::keyClick(block, Qt::Key_Return);
-        QCOMPARE(docks.studio.document.project().levels.quilt.block, 24);
+        for (const char* method : {"image-based", "view-aligned"}) {
+            docks.studio.document.editMethod(method);
+            docks.studio.document.finishEdit();
+            auto* block = docks.section(method, "Quilting")->findChild<QDoubleSpinBox*>("block");
+            const auto inProject = [&] {
+                const project::Project& project = docks.studio.document.project();
+                return (project.method == "image-based" ? project.imageBased.quilt : project.levels.quilt)
+                    .block;
+            };
+            const double before = block->value();
+            block->selectAll();
+            QTest::keyClicks(block, "24");
+            QTest::keyClick(block, Qt::Key_Return);
+            QCOMPARE(inProject(), 24);
+            docks.undo().undo();
+            QCOMPARE(block->value(), before);
+        }
+    }
+
+    void theParametersAreThoseOfTheMethod() {
+        Docks docks;
+        docks.studio.document.editMethod("image-based");
+        for (const char* heading : {"Synthesis", "Quilting", "Coherence"})
+            QVERIFY(docks.section("image-based", heading)->isVisible());
+        for (const char* heading : {"Strokes", "Levels", "Quilting"})
+            QVERIFY(!docks.section("view-aligned", heading)->isVisible());
         docks.undo().undo();
-        QCOMPARE(block->value(), before);
+        QVERIFY(!docks.section("image-based", "Synthesis")->isVisible());
+        QVERIFY(docks.section("view-aligned", "Strokes")->isVisible());
+    }
+
+    void coherenceIsEditedInOneStepADragAndSynthesisesNothing() {
+        Docks docks;
+        docks.studio.document.editMethod("image-based");
+        docks.studio.document.finishEdit();
+        const methods::CoherenceParams before = docks.studio.document.project().coherence;
+        const int steps = docks.undo().count();
+        auto* slider = docks.section("image-based", "Coherence")->findChild<QSlider*>();
+        QVERIFY(slider);
+        slider->setSliderDown(true);
+        for (int i = 1; i <= 10; ++i) slider->setSliderPosition(slider->minimum() + 3 * i);
+        slider->setSliderDown(false);
+        QVERIFY(docks.studio.document.project().coherence != before);
+        QCOMPARE(docks.undo().count(), steps + 1);
+        docks.undo().undo();
+        QCOMPARE(docks.studio.document.project().coherence, before);
+        QVERIFY(docks.studio.jobs.isIdle());
     }
 
     void loadingTheDemoNeverHoldsTheWindowUp() {
-        if (!std::filesystem::exists(test::resource("demo/demo.chiaro"))) QSKIP("no demo project");
+        QVERIFY2(std::filesystem::exists(test::resource("demo/demo.chiaro")), "the demo is missing");
         // Other programs may hold it up as well: the best of three counts.
         qint64 longest = std::numeric_limits<qint64>::max();
         for (int attempt = 0; attempt < 3 && longest >= 50; ++attempt) {
             Docks docks;
-            const Watchdog watchdog;
+            const test::Watchdog watchdog;
             QVERIFY(docks.studio.open({test::resource("demo/demo.chiaro")}));
             QVERIFY(docks.studio.errors.empty());
             QVERIFY(docks.studio.paints.state(docks.sample->currentSample()).levelsAreFinal);

@@ -55,6 +55,34 @@ private Q_SLOTS:
         QVERIFY(!document.project().samples[0].recoloring.has_value());
     }
 
+    void theMethodIsAnEditThatIsSaved() {
+        const test::TemporaryFolder folder;
+        Document document;
+        document.replace(twoSamples(), {}, objectNames);
+        const std::string before = document.project().method;
+        QSignalSpy changed(&document, &Document::changed);
+        document.editMethod("image-based");
+        document.finishEdit();
+        methods::ImageBasedParams params;
+        params.window = 7;
+        document.editImageBased(params);
+        document.finishEdit();
+        methods::CoherenceParams coherence;
+        coherence.every = 12;
+        document.editCoherence(coherence);
+        document.finishEdit();
+        QCOMPARE(changed.count(), 3);
+        QCOMPARE(changed[0][0].value<app::Change>().kind, app::Change::Kind::Method);
+        document.save(folder / "study.chiaro");
+        const project::Project saved = project::readProject(folder / "study.chiaro");
+        QCOMPARE(saved.method, std::string("image-based"));
+        QCOMPARE(saved.imageBased, params);
+        QCOMPARE(saved.coherence, coherence);
+        while (document.undoStack().canUndo()) document.undoStack().undo();
+        QCOMPARE(document.project().method, before);
+        QCOMPARE(document.project(), twoSamples());
+    }
+
     void samplesAreEditedApart() {
         Document document;
         document.replace(twoSamples(), {}, objectNames);

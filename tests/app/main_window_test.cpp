@@ -27,6 +27,15 @@ bool openAndSettle(MainWindow& window, const std::vector<std::filesystem::path>&
     return QTest::qWaitFor([&] { return window.jobs().isIdle(); }, 120'000);
 }
 
+/// In steps of 1/255; the pictures are equally large.
+double meanDifference(const QImage& a, const QImage& b) {
+    double difference = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            difference += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y)));
+    return difference / (double(a.width()) * a.height());
+}
+
 /// Mean red minus blue over the picture's middle.
 double warmth(const QImage& picture) {
     double sum = 0;
@@ -81,6 +90,54 @@ private Q_SLOTS:
         QVERIFY2(red > blue + 40, qPrintable(QString("red %1, blue %2").arg(red).arg(blue)));
         QVERIFY(window.jobs().isIdle());
         QCOMPARE(window.paints().synthesisCount(), made);
+    }
+
+    void methodsAreSwitchedByKeyAndButton() {
+        MainWindow window;
+        window.resize(1200, 700);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        window.activateWindow();
+        QVERIFY(openAndSettle(window, stripAndMesh()));
+        const auto method = [&] { return window.document().project().method; };
+        QCOMPARE(method(), std::string("view-aligned"));
+        const int steps = window.document().undoStack().count();
+        const int levels = window.paints().synthesisCount();
+        window.viewport().setFocus();
+        QTest::keyClick(&window.viewport(), Qt::Key_1);
+        QCOMPARE(method(), std::string("image-based"));
+        QTRY_VERIFY(window.frameTextures().isFinal());
+        QTRY_VERIFY(window.frameText().startsWith("Image-based"));
+        auto* button = window.findChild<QToolButton*>("method-view-aligned");
+        QVERIFY(button && button->isVisible() && !button->isChecked());
+        QVERIFY(button->focusPolicy() & Qt::TabFocus);
+        QVERIFY(!button->toolTip().isEmpty());
+        button->click();
+        QCOMPARE(method(), std::string("view-aligned"));
+        QTRY_VERIFY(window.frameText().startsWith("View-aligned"));
+        QCOMPARE(window.document().undoStack().count(), steps + 2);
+        window.document().undoStack().undo();
+        QCOMPARE(method(), std::string("image-based"));
+        QVERIFY(window.findChild<QToolButton*>("method-image-based")->isChecked());
+        QVERIFY(window.frameTextures().isFinal());
+        QCOMPARE(window.paints().synthesisCount(), levels);
+    }
+
+    void aLightDragReshadesAtOnceWithTheSameTexture() {
+        MainWindow window;
+        window.resize(1200, 700);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(openAndSettle(window, stripAndMesh()));
+        window.document().editMethod("image-based");
+        window.viewport().frameAll();
+        QTRY_VERIFY(window.frameTextures().isFinal());
+        const auto texture = window.frameTextures().texture();
+        const QImage before = window.viewport().picture();
+        window.document().editLight(0, {1, -0.5F, 0.4F});
+        const QImage after = window.viewport().picture();
+        QCOMPARE(window.frameTextures().texture(), texture);
+        QVERIFY(meanDifference(before, after) > 1);
     }
 
     void aBrokenFileSaysWhyAndWhatWasOpenStays() {
@@ -139,12 +196,22 @@ private Q_SLOTS:
         QVERIFY(timer.elapsed() < 200);
     }
 
+    void anExportedPictureLooksAsTheViewportDoes_data() {
+        QTest::addColumn<QString>("method");
+        QTest::newRow("image-based") << "image-based";
+        QTest::newRow("view-aligned") << "view-aligned";
+    }
+
     void anExportedPictureLooksAsTheViewportDoes() {
+        QFETCH(QString, method);
         MainWindow window;
         window.resize(1200, 700);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         QVERIFY(openAndSettle(window, stripAndMesh()));
+        window.document().editMethod(method.toStdString());
+        QVERIFY(QTest::qWaitFor([&] { return window.jobs().isIdle(); }, 60'000));
+        if (method == "image-based") QTRY_VERIFY(window.frameTextures().isFinal());
         const QImage shown = window.viewport().picture();
         const auto model = app::LoadedModel::read(m_folder / "mesh.obj", {});
         app::PictureSource source{window.document().project(),
@@ -164,11 +231,7 @@ private Q_SLOTS:
         app::exportPicture(source, settings, {});
         const QImage picture(QString::fromStdString(settings.path.string()));
         QCOMPARE(picture.size(), shown.size());
-        double difference = 0;
-        for (int y = 0; y < shown.height(); ++y)
-            for (int x = 0; x < shown.width(); ++x)
-                difference += std::abs(qGray(shown.pixel(x, y)) - qGray(picture.pixel(x, y)));
-        difference /= double(shown.width()) * shown.height();
+        const double difference = meanDifference(shown, picture);
         qInfo("mean difference %.3f of 255", difference);
         QVERIFY2(difference < 2, "the export shows something else than the viewport");
     }

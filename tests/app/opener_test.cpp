@@ -97,7 +97,7 @@ private Q_SLOTS:
     }
 
     void theDemoIsOpenedAsACopy() {
-        if (!std::filesystem::exists(test::resource("demo/demo.chiaro"))) QSKIP("no demo project");
+        QVERIFY2(std::filesystem::exists(test::resource("demo/demo.chiaro")), "the demo is missing");
         Studio studio;
         QVERIFY(studio.open({test::resource("demo/demo.chiaro")}));
         QVERIFY(studio.errors.empty());

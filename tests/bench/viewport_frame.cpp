@@ -5,7 +5,7 @@
 #include "core/base/random.h"
 #include "core/scene/mesh_io.h"
 #include "tests/support/support.h"
-#include "widgets/viewport/view_aligned_drawer.h"
+#include "widgets/viewport/frame_drawer.h"
 
 #include <QGuiApplication>
 #include <QOffscreenSurface>
@@ -95,6 +95,22 @@ std::shared_ptr<const synthesis::LevelStack> noiseLevels() {
     return stack;
 }
 
+/// Noise all over the picture for every object.
+std::shared_ptr<const ViewTexture> noiseTexture(const ViewState& state) {
+    auto texture = std::make_shared<ViewTexture>();
+    texture->camera = state.camera;
+    texture->width = frameSize.width();
+    texture->height = frameSize.height();
+    texture->range = DifferenceRange::of(0.5f);
+    Random random(2, 0);
+    for (const scene::Object& object : state.scene().objects) {
+        Image<DifferenceTexel> texels(texture->width, texture->height);
+        for (DifferenceTexel& texel : texels.pixels()) texel[0] = std::uint8_t(random.uniform() * 255);
+        texture->objects.push_back({glm::ivec2(0), std::move(texels), object.transform});
+    }
+    return texture;
+}
+
 ViewState makeState(const std::filesystem::path& file) {
     scene::Scene scene;
     for (scene::Mesh& mesh : scene::readModel(file).meshes)
@@ -133,7 +149,7 @@ void measureFrame(Gl& gl, FrameTime& best, const std::function<void()>& frame) {
 struct Bench {
     Gl& gl;
     PlainDrawer plain;
-    ViewAlignedDrawer painted;
+    FrameDrawer painted;
     ViewState state;
     std::unique_ptr<QOpenGLFramebufferObject> multisampled;
     std::unique_ptr<QOpenGLFramebufferObject> target;
@@ -160,7 +176,7 @@ struct Bench {
             measureFrame(gl, plainBest, [this] { drawPlain(); });
             measureFrame(gl, paintedBest, [this] { drawPainted(); });
         }
-        std::printf("%-28s plain %6.2f ms, view-aligned %6.2f ms, ratio %.2f; processor time %.2f\n", what,
+        std::printf("%-28s plain %6.2f ms, painted %6.2f ms, ratio %.2f; processor time %.2f\n", what,
                     plainBest.wall, paintedBest.wall, paintedBest.wall / plainBest.wall,
                     paintedBest.processor / plainBest.processor);
         state.camera.azimuth -= 0.5f * rounds;
@@ -200,6 +216,9 @@ int run(const std::filesystem::path& file) {
     bench.measure(1, "without following the zoom");
     bench.state.params.density = 1.5;
     bench.measure(1, "density 1.5");
+    bench.state.setMethod("image-based");
+    bench.state.viewTexture = noiseTexture(bench.state);
+    bench.measure(1, "image-based");
     bench.painted.release(gl);
     return 0;
 }

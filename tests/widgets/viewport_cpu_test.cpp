@@ -14,6 +14,7 @@ private Q_SLOTS:
     void cleanup() { m_viewport.reset(); }
     void saysThatThereIsNoOpenGl();
     void showsCoresPicture();
+    void showsCoresImageBasedPicture();
     void picturesComeInTheBackground();
     void dragsTurnTheCamera();
     void withoutLevelsTheGradientAloneShows();
@@ -49,6 +50,17 @@ void ViewportCpuTest::showsCoresPicture() {
         test::referencePicture(test::sceneOf(test::sphereMesh()), m_viewport->camera(), {m_paint},
                                m_viewport->placements(), {}, glm::vec3(0), picture.size());
     QCOMPARE(picture, reference.picture);
+}
+
+void ViewportCpuTest::showsCoresImageBasedPicture() {
+    m_viewport->setMethod("image-based");
+    const auto made = test::imageBasedPicture(test::sceneOf(test::sphereMesh()), m_viewport->camera(),
+                                              m_paint.gradient, glm::vec3(0), m_viewport->pixels());
+    const QImage untextured = m_viewport->picture();
+    QVERIFY(test::meanDifference(untextured, made.reference.picture) > 1);
+    m_viewport->setViewTexture(made.texture);
+    // But for the 8 bits of its texels.
+    QVERIFY(test::meanDifference(m_viewport->picture(), made.reference.picture) < 0.5);
 }
 
 void ViewportCpuTest::picturesComeInTheBackground() {

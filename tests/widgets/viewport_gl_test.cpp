@@ -1,10 +1,15 @@
 #include "core/scene/mesh_io.h"
 #include "tests/support/support.h"
 #include "tests/widgets/viewport_support.h"
+#include "widgets/viewport/frame_drawer.h"
 #include "widgets/viewport/gl_support.h"
 #include "widgets/viewport/gl_view.h"
 #include "widgets/viewport/level_texels.h"
 
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLVersionFunctionsFactory>
 #include <QtTest>
 
 namespace chiaro::widgets {
@@ -12,6 +17,15 @@ namespace chiaro::widgets {
 namespace {
 
 constexpr glm::vec3 background(0.1f, 0.2f, 0.3f);
+
+scene::Scene demoScene(const QString& file) {
+    scene::Scene scene;
+    for (scene::Mesh& mesh : scene::readModel(test::resource("demo/meshes/" + file.toStdString())).meshes) {
+        const std::string name = mesh.name;
+        scene.objects.push_back(test::sceneOf(std::move(mesh), name).objects[0]);
+    }
+    return scene;
+}
 
 }  // namespace
 
@@ -28,6 +42,10 @@ private Q_SLOTS:
     void drawsWhatTheCpuDraws();
     void drawsTheDemoMeshesAsTheCpuDoes_data();
     void drawsTheDemoMeshesAsTheCpuDoes();
+    void drawsImageBasedAsTheCpuDoes_data();
+    void drawsImageBasedAsTheCpuDoes();
+    void movesTheTextureWithItsObject();
+    void fadesFromTextureToTexture();
     void silhouettesAreSmooth();
     void gradientChangesWithoutTheTexture();
     void withoutLevelsTheGradientAloneShows();
@@ -113,8 +131,8 @@ void ViewportGlTest::texelsKeepTheDifferences() {
     const LevelTexels texels = levelTexels(stack);
     QCOMPARE(texels.size, 2);
     QCOMPARE(texels.count, 2);
-    const auto difference = [&](std::size_t texel, std::size_t channel) {
-        return float(texels.texels[texel][channel]) / 255 * texels.factor + texels.bias;
+    const auto difference = [&](std::size_t texel, int channel) {
+        return texels.range.difference(texels.texels[texel])[channel];
     };
     QVERIFY(std::abs(difference(0, 0)) < 1e-6f);  // no difference stays none
     QVERIFY(std::abs(difference(5, 0) - 0.5f) < 1e-6f);
@@ -177,15 +195,132 @@ void ViewportGlTest::drawsTheDemoMeshesAsTheCpuDoes_data() {
 
 void ViewportGlTest::drawsTheDemoMeshesAsTheCpuDoes() {
     QFETCH(QString, file);
-    scene::Scene scene;
-    for (scene::Mesh& mesh : scene::readModel(test::resource("demo/meshes/" + file.toStdString())).meshes) {
-        const std::string name = mesh.name;
-        scene.objects.push_back(test::sceneOf(std::move(mesh), name).objects[0]);
-    }
+    const scene::Scene scene = demoScene(file);
     m_viewport->resize(640, 480);
     show(scene);
     m_viewport->frameAll();
     QVERIFY(differenceFromCpu(scene) < 2);
+}
+
+void ViewportGlTest::drawsImageBasedAsTheCpuDoes_data() {
+    QTest::addColumn<QString>("file");
+    QTest::newRow("two spheres") << "";
+    QTest::newRow("shell") << "shell.ply";
+    QTest::newRow("still life") << "still_life.obj";
+    QTest::newRow("skull") << "skull.glb";
+}
+
+void ViewportGlTest::drawsImageBasedAsTheCpuDoes() {
+    QFETCH(QString, file);
+    scene::Scene scene = test::sceneOf(test::sphereMesh(), "first");
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects[1].name = "second";
+    scene.objects[1].transform[3] = {0.7f, 0.5f, 0.8f, 1};
+    if (!file.isEmpty()) scene = demoScene(file);
+    m_viewport->resize(640, 480);
+    m_viewport->setMethod("image-based");
+    show(scene);
+    m_viewport->frameAll();
+    const auto made = test::imageBasedPicture(scene, m_viewport->camera(), m_paints[0].gradient, background,
+                                              m_viewport->pixels());
+    const QImage untextured = m_viewport->picture();
+    m_viewport->setViewTexture(made.texture);
+    const QImage drawn = m_viewport->picture();
+    test::keepPicture(drawn, QString("image_based_%1_gl").arg(QTest::currentDataTag()));
+    test::keepPicture(made.reference.picture, QString("image_based_%1_cpu").arg(QTest::currentDataTag()));
+    const auto inside = [&](int x, int y) { return made.reference.inside(x, y) != 0; };
+    const double difference = test::meanDifference(drawn, made.reference.picture, inside);
+    qInfo("difference from the CPU's picture: %.3f/255 inside the objects, %.3f/255 over all", difference,
+          test::meanDifference(drawn, made.reference.picture));
+    QVERIFY(difference < 2);
+    QVERIFY(test::meanDifference(untextured, made.reference.picture, inside) > 3);
+    // Another light keeps the texture, another gradient too.
+    m_viewport->setGradient(0, {glm::vec3(0.5f), glm::vec3(0.5f)});
+    const QImage texture = m_viewport->picture();
+    m_viewport->setLights({{.vector = {1, 0, 0}}});
+    QVERIFY(test::meanDifference(texture, m_viewport->picture(), inside) < 0.05);
+}
+
+void ViewportGlTest::movesTheTextureWithItsObject() {
+    const scene::Scene scene = test::sceneOf(test::sphereMesh());
+    m_viewport->setMethod("image-based");
+    m_viewport->setLights({{.vector = {0, 0, 1}}});
+    show(scene);
+    const auto made = test::imageBasedPicture(scene, m_viewport->camera(), m_paints[0].gradient, background,
+                                              m_viewport->pixels());
+    m_viewport->setViewTexture(made.texture);
+    m_viewport->setGradient(0, {glm::vec3(0.5f), glm::vec3(0.5f)});
+    const QImage before = m_viewport->picture();
+    scene::Camera camera = m_viewport->camera();
+    camera.azimuth += 25;
+    m_viewport->setCamera(camera);
+    const QImage turned = m_viewport->picture();
+    // What came into view wears texture too: nothing of the middle's contrast is lost anywhere.
+    const auto contrast = [](const QImage& image, QRect area) {
+        double sum = 0;
+        for (int y = area.top(); y <= area.bottom(); ++y)
+            for (int x = area.left(); x <= area.right(); ++x) sum += std::abs(qGray(image.pixel(x, y)) - 128);
+        return sum / area.width() / area.height();
+    };
+    const QPoint middle = before.rect().center();
+    const int reach = before.height() * 2 / 5;
+    for (const QPoint at : {QPoint(-reach, 0), QPoint(reach, 0), QPoint(0, -reach), QPoint(0, reach)}) {
+        const QRect area(middle + at - QPoint(10, 10), QSize(20, 20));
+        QVERIFY(contrast(turned, area) > 0.5 * contrast(before, area));
+    }
+    // A pan takes the strokes along: they are found again where the object is.
+    m_viewport->setCamera(made.texture->camera);
+    drag(centre(), {40, 0}, Qt::MiddleButton, Qt::ShiftModifier);
+    const QImage panned = m_viewport->picture();
+    const QRect patch(middle - QPoint(40, 40), QSize(80, 80));
+    double best = 255;
+    for (int shift = 0; shift < before.width() / 4; ++shift)
+        best =
+            std::min(best, test::meanDifference(before.copy(patch), panned.copy(patch.translated(shift, 0))));
+    const double unmoved = test::meanDifference(before.copy(patch), panned.copy(patch));
+    QVERIFY2(best < 0.4 * unmoved, qPrintable(QString("best %1, unmoved %2").arg(best).arg(unmoved)));
+}
+
+void ViewportGlTest::fadesFromTextureToTexture() {
+    QOpenGLContext context;
+    context.setFormat(openGlFormat());
+    QOffscreenSurface surface;
+    surface.setFormat(context.format());
+    surface.create();
+    QVERIFY(context.create() && context.makeCurrent(&surface));
+    Gl& gl = *QOpenGLVersionFunctionsFactory::get<Gl>(&context);
+    FrameDrawer drawer;
+    QVERIFY(drawer.initialize(gl));
+    const QSize pixels(160, 120);
+    QOpenGLFramebufferObject target(pixels);
+    ViewState state;
+    state.setMethod("image-based");
+    state.setScene(test::sceneOf(test::sphereMesh()));
+    state.setPaint(0, m_paints[0]);
+    const auto first =
+        test::imageBasedPicture(state.scene(), state.camera, m_paints[0].gradient, background, pixels)
+            .texture;
+    auto inverse = std::make_shared<ViewTexture>(*first);
+    for (DifferenceTexel& texel : inverse->objects[0].texels.pixels())
+        for (int i = 0; i < 3; ++i) texel[std::size_t(i)] = std::uint8_t(256 - texel[std::size_t(i)]);
+    const auto draw = [&](const auto& shown, const auto& earlier, float weight) {
+        state.viewTexture = shown;
+        state.earlierTexture = earlier;
+        state.earlierWeight = weight;
+        drawer.draw(gl, state, pixels, target.handle());
+        return target.toImage().convertToFormat(QImage::Format_RGB32);
+    };
+    using Texture = std::shared_ptr<const ViewTexture>;
+    const QImage before = draw(first, Texture(), 0);
+    const QImage after = draw(Texture(inverse), Texture(first), 0);
+    QVERIFY(test::meanDifference(before, after) > 1);
+    QVERIFY(test::meanDifference(draw(Texture(inverse), Texture(first), 1), before) < 0.1);
+    // Half way a texture and its inverse cancel out: G(L) alone is left.
+    const QImage between = draw(Texture(inverse), Texture(first), 0.5f);
+    QVERIFY(test::meanDifference(between, draw(Texture(), Texture(), 0)) < 0.1);
+    // An earlier texture that was never shown has nothing to fade from.
+    QCOMPARE(draw(Texture(inverse), std::make_shared<const ViewTexture>(*first), 0.5f), after);
+    drawer.release(gl);
 }
 
 void ViewportGlTest::silhouettesAreSmooth() {

@@ -2,6 +2,7 @@
 
 #include "core/base/random.h"
 #include "core/methods/view_aligned.h"
+#include "core/project/pipeline.h"
 #include "core/scene/gbuffer.h"
 
 #include <numbers>
@@ -118,6 +119,36 @@ Reference referencePicture(const scene::Scene& scene, const scene::Camera& camer
     for (int y = 0; y < pixels.height(); ++y)
         for (int x = 0; x < pixels.width(); ++x) reference.inside(x, y) = frame.picture(x, y).a == 1;
     return reference;
+}
+
+ImageBasedReference imageBasedPicture(const scene::Scene& scene, const scene::Camera& camera,
+                                      const gradient::Gradient& gradient, glm::vec3 background,
+                                      QSize pixels) {
+    project::Project project;
+    project.method = "image-based";
+    project.imageBased.quilt.block = 24;
+    project::Paint paint;
+    const auto levels = generatedLevels(4, 200);
+    paint.separation.texture = ColorImage(400, 100);
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 400; ++x)
+            paint.separation.texture(x, y) = levels->levels[std::size_t(x / 100)](x % 200, y);
+    paint.shown = gradient;
+    const project::WornPaints worn(scene.objects.size(), &paint);
+    const scene::GBuffer gbuffer =
+        scene::castGBuffer(scene::RayScene(scene), scene.lights, camera, pixels.width(), pixels.height());
+    const methods::Frame frame = project::renderFrame(project, worn, gbuffer).frame;
+    ImageBasedReference result{{toQImage(methods::over(frame.picture, background)),
+                                Image<std::uint8_t>(pixels.width(), pixels.height(), 0)},
+                               nullptr};
+    for (int y = 0; y < pixels.height(); ++y)
+        for (int x = 0; x < pixels.width(); ++x) result.reference.inside(x, y) = frame.picture(x, y).a == 1;
+    const methods::ImageBasedTexture made = methods::synthesizeImageBased(
+        gbuffer, methods::SampleTextures(scene.objects.size(), &paint.separation.texture),
+        project.imageBased);
+    result.texture =
+        std::make_shared<const widgets::ViewTexture>(widgets::viewTexture(made, scene, camera, gbuffer));
+    return result;
 }
 
 QImage toQImage(const ColorImage& picture) {

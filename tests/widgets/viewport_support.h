@@ -32,6 +32,15 @@ Reference referencePicture(const scene::Scene& scene, const scene::Camera& camer
                            const std::vector<methods::TexturePlacement>& placements,
                            const methods::ViewAlignedParams& params, glm::vec3 background, QSize pixels);
 
+/// What core's renderer makes of a state by the image-based method, with generated paint of one strip for
+/// every object; and the texture that it made, for the viewport.
+struct ImageBasedReference {
+    Reference reference;
+    std::shared_ptr<const widgets::ViewTexture> texture;
+};
+ImageBasedReference imageBasedPicture(const scene::Scene& scene, const scene::Camera& camera,
+                                      const gradient::Gradient& gradient, glm::vec3 background, QSize pixels);
+
 /// A core picture as the viewport would give it.
 QImage toQImage(const ColorImage& picture);
 

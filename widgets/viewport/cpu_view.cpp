@@ -45,12 +45,41 @@ struct CpuView::Job {
     scene::Camera camera;
     std::vector<ViewportPaint> paints;  ///< one an object
     std::vector<methods::TexturePlacement> placements;
+    std::string method;
     methods::ViewAlignedParams params;
+    std::shared_ptr<const ViewTexture> viewTexture;
+    std::vector<methods::TexturePlacement> motions;  ///< of the view texture
     glm::vec3 background{0};
     QSize pixels;
     std::stop_token stopFine;
     std::stop_token stopAll;
 };
+
+/// The texture of a coarse picture's pixels, at their middle: it keeps its place and size on the screen.
+methods::TextureLookup CpuView::levelLookup(const Job& job, int coarseness) {
+    methods::ViewAlignedParams params = job.params;
+    params.density *= coarseness;
+    std::vector<methods::ViewAlignedPaint> paints;
+    for (std::size_t i = 0; i < job.paints.size(); ++i) {
+        const ViewportPaint& paint = job.paints[i];
+        methods::TexturePlacement placement = job.placements[i];
+        placement.offset /= float(coarseness);
+        const bool textured = paint.levels && !paint.levels->levels.empty();
+        paints.push_back({textured ? paint.levels.get() : noTexture().get(), &paint.gradient, placement});
+    }
+    return [paints = std::move(paints), params](std::uint16_t object, int x, int y, float light) {
+        return methods::viewAlignedTexture(paints[object - 1u], params, glm::vec2(x, y) + 0.5f, light);
+    };
+}
+
+methods::TextureLookup CpuView::viewTextureLookup(const Job& job, int coarseness) {
+    return [&job, coarseness](std::uint16_t object, int x, int y, float) {
+        if (!job.viewTexture) return glm::vec3(0);
+        const methods::TexturePlacement& motion = job.motions[object - 1u];
+        const glm::vec2 position = (glm::vec2(x, y) + 0.5f) * float(coarseness);
+        return job.viewTexture->difference(object - 1u, (position - motion.offset) / motion.zoom);
+    };
+}
 
 CpuView::CpuView(ViewState& state, QWidget* parent) : QWidget(parent), m_state(state) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -83,16 +112,10 @@ CpuView::Job CpuView::jobOfNow() {
     m_raysScene = m_state.scene();
     m_stopFine = {};
     m_stopAll = {};
-    Job job{m_rays,
-            m_state.scene(),
-            m_state.camera,
-            {},
-            m_state.placements(),
-            m_state.params,
-            m_state.background,
-            pixels,
-            m_stopFine.get_token(),
-            m_stopAll.get_token()};
+    Job job{m_rays,           m_state.scene(),        m_state.camera,       {}, m_state.placements(),
+            m_state.method(), m_state.params,         m_state.viewTexture,  {}, m_state.background,
+            pixels,           m_stopFine.get_token(), m_stopAll.get_token()};
+    if (job.viewTexture) job.motions = m_state.textureMotions(*job.viewTexture, pixels);
     for (const scene::Object& object : job.scene.objects) job.paints.push_back(m_state.paint(object.sample));
     return job;
 }
@@ -111,18 +134,11 @@ CpuView::Result CpuView::rendered(const Job& job, const Rays& rays, int coarsene
                      std::max(1, job.pixels.height() / coarseness));
     const scene::GBuffer gbuffer =
         scene::castGBuffer(*rays, job.scene.lights, job.camera, size.width(), size.height(), task);
-    // A coarse pixel stands for several: the texture keeps its place and size on the screen.
-    methods::ViewAlignedParams params = job.params;
-    params.density *= coarseness;
-    std::vector<methods::ViewAlignedPaint> paints;
-    for (std::size_t i = 0; i < job.paints.size(); ++i) {
-        const ViewportPaint& paint = job.paints[i];
-        methods::TexturePlacement placement = job.placements[i];
-        placement.offset /= float(coarseness);
-        const bool textured = paint.levels && !paint.levels->levels.empty();
-        paints.push_back({textured ? paint.levels.get() : noTexture().get(), &paint.gradient, placement});
-    }
-    const methods::Frame frame = methods::renderViewAligned(gbuffer, paints, params, task);
+    std::vector<const gradient::Gradient*> gradients;
+    for (const ViewportPaint& paint : job.paints) gradients.push_back(&paint.gradient);
+    const methods::TextureLookup texture =
+        job.method == "image-based" ? viewTextureLookup(job, coarseness) : levelLookup(job, coarseness);
+    const methods::Frame frame = methods::shade(gbuffer, gradients, texture, task);
     const QImage image = toQImage(methods::over(frame.picture, job.background));
     return {rays, image, double(timer.nsecsElapsed()) * 1e-6, coarseness == 1};
 }

@@ -11,7 +11,7 @@ namespace {
 void uploadLevels(Gl& gl, GlPaints::Paint& paint, const LevelTexels& texels) {
     if (paint.levels == 0) gl.glGenTextures(1, &paint.levels);
     paint.size = texels.size;
-    paint.levelRange = QVector2D(texels.factor, texels.bias);
+    paint.levelRange = QVector2D(texels.range.factor, texels.range.bias);
     gl.glBindTexture(GL_TEXTURE_3D, paint.levels);
     gl.glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, texels.size, texels.size, texels.count, 0, GL_RGBA,
                     GL_UNSIGNED_BYTE, texels.texels.data());
@@ -55,7 +55,7 @@ void GlPaints::startLevels(Gl& gl, Entry& entry, const std::shared_ptr<const syn
     entry.texels = {};
     const bool textured = levels && !levels->levels.empty();
     // Without levels a single texel of no difference stands in.
-    if (isNew || !textured) uploadLevels(gl, entry.paint, {1, 1, 0, 0, {LevelTexels::Texel{}}});
+    if (isNew || !textured) uploadLevels(gl, entry.paint, {1, 1, {}, {DifferenceTexel{}}});
     if (!textured) return;
     entry.texels =
         QtConcurrent::run([levels] { return std::make_shared<const LevelTexels>(levelTexels(*levels)); });
@@ -69,7 +69,7 @@ bool GlPaints::finishLevels(Gl& gl, Entry& entry, Pending pending) {
     return true;
 }
 
-bool GlPaints::sync(Gl& gl, const ViewState& state, Pending pending) {
+bool GlPaints::sync(Gl& gl, const ViewState& state, bool usesLevels, Pending pending) {
     std::set<int> worn;
     for (const scene::Object& object : state.scene().objects) worn.insert(object.sample);
     std::erase_if(m_entries, [&](const auto& entry) {
@@ -81,6 +81,7 @@ bool GlPaints::sync(Gl& gl, const ViewState& state, Pending pending) {
     for (const int sample : worn) {
         Entry& entry = m_entries[sample];
         syncGradient(gl, entry, state.paint(sample).gradient);
+        if (!usesLevels) continue;
         startLevels(gl, entry, state.paint(sample).levels);
         complete &= finishLevels(gl, entry, pending);
     }

@@ -16,8 +16,9 @@ namespace chiaro::widgets {
 class GlPaints {
 public:
     struct Paint {
-        GLuint levels = 0;     ///< GL_TEXTURE_3D: s and t repeat, level i is centred at r = (i + 0.5) / count
-        int size = 0;          ///< a level's side, texels
+        GLuint levels = 0;  ///< GL_TEXTURE_3D, 0 until a method used it: s and t repeat, level i is centred
+                            ///< at r = (i + 0.5) / count
+        int size = 0;       ///< a level's side, texels
         QVector2D levelRange;  ///< difference = texel value * x + y
         GLuint gradient = 0;   ///< GL_TEXTURE_1D of W texels
         QVector2D
@@ -29,8 +30,9 @@ public:
         Show,  ///< go on with what there was: the levels before, or none
         Await
     };
-    /// False while levels are on their way: call it again soon.
-    bool sync(Gl& gl, const ViewState& state, Pending pending);
+    /// Levels only for a method that uses them: otherwise they stay as they were. False while levels are on
+    /// their way: call it again soon.
+    bool sync(Gl& gl, const ViewState& state, bool usesLevels, Pending pending);
     const Paint& find(int sample) const { return m_entries.at(sample).paint; }
     void release(Gl& gl);
 

@@ -1,12 +1,18 @@
 #include "widgets/viewport/gl_view.h"
 
-#include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
 #include <QScopeGuard>
 #include <QTimer>
 
 namespace chiaro::widgets {
+
+namespace {
+
+constexpr int fadeMilliseconds = 120;
+constexpr double slowFrame = 30;  // ms; a fade of fewer frames would only come late
+
+}  // namespace
 
 GlView::GlView(ViewState& state, QWidget* parent) : QOpenGLWidget(parent), m_state(state) {
     setFormat(openGlFormat());
@@ -41,14 +47,30 @@ void GlView::paintGL() {
     timer.start();
     const QSize pixels = size() * devicePixelRatioF();
     m_state.follow(pixels);
+    stepFade();
     const bool complete = m_drawer.draw(*m_gl, m_state, pixels, defaultFramebufferObject(), m_pending);
     // So that the figure is the frame's and not the queue's; the window has nothing else to draw meanwhile.
     m_gl->glFinish();
     const double milliseconds = double(timer.nsecsElapsed()) * 1e-6;
+    m_lastMilliseconds = milliseconds;
+    if (m_state.earlierTexture)
+        QMetaObject::invokeMethod(this, qOverload<>(&QWidget::update), Qt::QueuedConnection);
     if (!complete) QTimer::singleShot(10, this, qOverload<>(&QWidget::update));
     // Told later: who listens may do what must not be done while painting.
     QMetaObject::invokeMethod(
         this, [this, milliseconds] { Q_EMIT frameDrawn(milliseconds); }, Qt::QueuedConnection);
+}
+
+void GlView::fadeTexture() {
+    m_fade.start();
+}
+
+void GlView::stepFade() {
+    const bool isOver = !m_fade.isValid() || m_fade.elapsed() >= fadeMilliseconds ||
+                        m_lastMilliseconds > slowFrame || m_pending == GlPaints::Pending::Await;
+    if (isOver || !m_state.viewTexture) m_state.earlierTexture = nullptr;
+    m_state.earlierWeight =
+        m_state.earlierTexture ? 1 - float(m_fade.elapsed() + 1) / (fadeMilliseconds + 1) : 0;
 }
 
 QImage GlView::picture() {

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "widgets/viewport/view_aligned_drawer.h"
+#include "widgets/viewport/frame_drawer.h"
 #include "widgets/viewport/view_state.h"
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QOpenGLWidget>
 
@@ -20,6 +21,9 @@ public:
 
     /// The state as it is now, in device pixels.
     QImage picture();
+    /// The state's view texture is new: it fades in over the earlier one, where frames are quick enough for
+    /// that to be seen.
+    void fadeTexture();
 
 Q_SIGNALS:
     void frameDrawn(double milliseconds);
@@ -31,10 +35,13 @@ protected:
 
 private:
     void releaseGl();
+    void stepFade();
 
     ViewState& m_state;
     Gl* m_gl = nullptr;  ///< the current context's, null when it can't draw
-    ViewAlignedDrawer m_drawer;
+    FrameDrawer m_drawer;
+    QElapsedTimer m_fade;  ///< since the view texture is new
+    double m_lastMilliseconds = 0;
     GlPaints::Pending m_pending = GlPaints::Pending::Show;
 };
 

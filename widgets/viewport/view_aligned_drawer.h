@@ -1,24 +1,20 @@
 #pragma once
 
-#include "widgets/viewport/gl_gbuffer.h"
-#include "widgets/viewport/gl_paints.h"
+#include "widgets/viewport/method_drawer.h"
 
 #include <map>
 
 namespace chiaro::widgets {
 
-/// Draws a state with the view-aligned 3D texture (§4.2): the picture of methods::renderViewAligned to within
-/// 2/255 on average inside the objects. First the G-buffer, then a pass over the picture for each group of
-/// objects that share a paint and a filter. Every call needs the context current.
-class ViewAlignedDrawer {
+/// Shades with the view-aligned 3D texture (§4.2): a pass for each group of objects that share a paint and a
+/// filter.
+class ViewAlignedDrawer : public MethodDrawer {
 public:
-    /// False when the driver refuses; why is in the log.
-    bool initialize(Gl& gl);
-    /// Fills the framebuffer `target` of so many pixels. False when it shows a paint that another is about to
-    /// take the place of: draw again soon.
-    bool draw(Gl& gl, const ViewState& state, QSize pixels, GLuint target,
-              GlPaints::Pending pending = GlPaints::Pending::Await);
-    void release(Gl& gl);
+    bool initialize(Gl& gl, int samples) override;
+    void release(Gl& gl) override;
+    bool usesLevels() const override { return true; }
+    std::vector<Pass> prepare(Gl& gl, const ViewState& state, const GlPaints& paints, QSize pixels) override;
+    QOpenGLShaderProgram* bind(Gl& gl, std::size_t pass, const GlPaints& paints) override;
 
 private:
     /// What the shader is compiled for: taps a side of each octave; 0 where there is no second.
@@ -34,23 +30,14 @@ private:
         Filter filter;
         std::array<glm::vec4, 3> texels{};
     };
-    /// Objects shaded in one pass.
-    struct Pass {
-        std::size_t firstId = 1;  ///< in the G-buffer
-        std::size_t lastId = 0;
-        QRect covered;  ///< pixels that they can cover, y up
-    };
-
-    Placed placed(const ViewState& state, std::size_t object, int height) const;
-    std::vector<Placed> placedObjects(const ViewState& state, int height) const;
+    static Placed placed(const ViewState& state, std::size_t object, const GlPaints& paints, int height);
+    static std::vector<Placed> placedObjects(const ViewState& state, const GlPaints& paints, int height);
     void uploadTable(Gl& gl, const std::vector<Placed>& objects);
-    void shade(Gl& gl, const Placed& representative, const Pass& pass);
     QOpenGLShaderProgram* programFor(const Filter& filter);
 
-    GlGBuffer m_gbuffer;
-    GlPaints m_paints;
+    int m_samples = 0;
     std::map<Filter, std::unique_ptr<QOpenGLShaderProgram>> m_programs;
-    GLuint m_noAttributes = 0;  ///< a vertex array, which drawing needs even without attributes
+    std::vector<Placed> m_representatives;  ///< one a pass
     GLuint m_tableBuffer = 0;
     GLuint m_table = 0;
 };

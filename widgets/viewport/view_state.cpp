@@ -1,5 +1,7 @@
 #include "widgets/viewport/view_state.h"
 
+#include <algorithm>
+
 namespace chiaro::widgets {
 
 namespace {
@@ -17,6 +19,18 @@ ViewportPaint grey() {
 
 bool isDrawn(const scene::Object& object) {
     return object.visible && object.mesh && !object.mesh->triangles.empty();
+}
+
+std::span<const std::string> drawnMethods() {
+    static const std::vector<std::string> keys{"image-based", "view-aligned"};
+    return keys;
+}
+
+ViewState::ViewState() : m_method("view-aligned") {}
+
+void ViewState::setMethod(const std::string& key) {
+    const auto methods = drawnMethods();
+    m_method = std::ranges::find(methods, key) != methods.end() ? key : methods.front();
 }
 
 void ViewState::setScene(const scene::Scene& scene) {
@@ -81,6 +95,27 @@ void ViewState::follow(QSize pixels) {
         m_seen[i] = now;
     }
     m_seenCamera = camera;
+}
+
+std::vector<methods::TexturePlacement> ViewState::textureMotions(const ViewTexture& texture,
+                                                                 QSize pixels) const {
+    std::vector<methods::TexturePlacement> motions(m_scene.objects.size());
+    const glm::mat4 viewThen = texture.camera.view();
+    const glm::mat4 projectionThen = texture.camera.projection(texture.width, texture.height);
+    const glm::mat4 viewNow = camera.view();
+    const glm::mat4 projectionNow = camera.projection(pixels.width(), pixels.height());
+    methods::ViewAlignedParams scaled;
+    scaled.followZoom = true;
+    for (std::size_t i = 0; i < std::min(motions.size(), texture.objects.size()); ++i) {
+        const scene::Object& object = m_scene.objects[i];
+        const methods::ObjectView then{viewThen * texture.objects[i].transform, projectionThen, texture.width,
+                                       texture.height};
+        const methods::ObjectView now{viewNow * object.transform, projectionNow, pixels.width(),
+                                      pixels.height()};
+        if (object.mesh && !samePose(then, now))
+            motions[i] = methods::follow({}, *object.mesh, then, now, scaled);
+    }
+    return motions;
 }
 
 }  // namespace chiaro::widgets

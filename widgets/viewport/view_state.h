@@ -5,12 +5,15 @@
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 #include "core/synthesis/levels.h"
+#include "widgets/viewport/view_texture.h"
 
 #include <QSize>
 
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace chiaro::widgets {
@@ -24,10 +27,15 @@ struct ViewportPaint {
 /// True for what the eye can meet: visible, and with a mesh that has faces.
 bool isDrawn(const scene::Object& object);
 
+/// The methods that views can draw, by the keys of project::RenderMethod.
+std::span<const std::string> drawnMethods();
+
 /// Everything a view draws, and where each object's texture lies (§4.2). The OpenGL and the CPU view draw the
 /// same state.
 class ViewState {
 public:
+    ViewState();
+
     const scene::Scene& scene() const { return m_scene; }
     /// An object that was there before (the same mesh under the same name) keeps its placement.
     void setScene(const scene::Scene& scene);
@@ -38,18 +46,29 @@ public:
     void setPaint(int sample, ViewportPaint paint);
     void setGradient(int sample, const gradient::Gradient& gradient);
 
+    const std::string& method() const { return m_method; }
+    /// One of drawnMethods(); any other shows as the first of them.
+    void setMethod(const std::string& key);
+
     scene::Camera camera;
     methods::ViewAlignedParams params;
+    std::shared_ptr<const ViewTexture> viewTexture;     ///< image-based; null: G(L) alone is shown
+    std::shared_ptr<const ViewTexture> earlierTexture;  ///< what it takes the place of, while it fades in
+    float earlierWeight = 0;                            ///< of that, 1 to 0
     glm::vec3 background{0.22f};
 
     /// Lets the textures follow what moved since the last call, for a view of so many device pixels. A view
     /// of another size moves them but does not scale them: a larger window shows as large strokes.
     void follow(QSize pixels);
     const std::vector<methods::TexturePlacement>& placements() const { return m_placements; }
+    /// How the objects moved on the screen since a texture was made, one an object: a position p in a view of
+    /// so many pixels shows what was at (p - offset) / zoom then.
+    std::vector<methods::TexturePlacement> textureMotions(const ViewTexture& texture, QSize pixels) const;
 
 private:
     methods::TexturePlacement followed(std::size_t object, const methods::ObjectView& now) const;
 
+    std::string m_method;
     scene::Scene m_scene;
     std::map<int, ViewportPaint> m_paints;
     std::vector<methods::TexturePlacement> m_placements;     ///< one an object

@@ -91,6 +91,7 @@ void Viewport::Impl::move(const scene::Camera& camera) {
     if (camera == state.camera) return;
     state.camera = camera;
     refresh();
+    Q_EMIT widget.viewChanged();
     Q_EMIT widget.cameraEdited(camera);
 }
 
@@ -183,8 +184,10 @@ void Viewport::setLights(const std::vector<scene::Light>& lights) {
 }
 
 void Viewport::setCamera(const scene::Camera& camera) {
+    if (camera == m_impl->state.camera) return;
     m_impl->state.camera = camera;
     m_impl->refresh();
+    Q_EMIT viewChanged();
 }
 
 const scene::Camera& Viewport::camera() const {
@@ -206,6 +209,17 @@ void Viewport::setParams(const methods::ViewAlignedParams& params) {
     m_impl->refresh();
 }
 
+void Viewport::setMethod(const std::string& key) {
+    m_impl->state.setMethod(key);
+    m_impl->refresh();
+}
+
+void Viewport::setViewTexture(std::shared_ptr<const ViewTexture> texture) {
+    m_impl->state.earlierTexture = std::exchange(m_impl->state.viewTexture, std::move(texture));
+    if (m_impl->glView) m_impl->glView->fadeTexture();
+    if (m_impl->state.method() == "image-based") m_impl->refresh();
+}
+
 void Viewport::setNavigation(Navigation navigation) {
     m_impl->navigation = navigation;
 }
@@ -223,8 +237,12 @@ QImage Viewport::picture() const {
     return m_impl->glView ? m_impl->glView->picture() : m_impl->cpuView->picture();
 }
 
+QSize Viewport::pixels() const {
+    return size() * devicePixelRatioF();
+}
+
 std::vector<methods::TexturePlacement> Viewport::placements() const {
-    m_impl->state.follow(size() * devicePixelRatioF());
+    m_impl->state.follow(pixels());
     return m_impl->state.placements();
 }
 
@@ -244,6 +262,7 @@ bool Viewport::event(QEvent* event) {
             return true;
         }
     }
+    if (event->type() == QEvent::ScreenChangeInternal) Q_EMIT viewChanged();  // its ratio may be another
     return QWidget::event(event);
 }
 
@@ -293,6 +312,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 
 void Viewport::resizeEvent(QResizeEvent*) {
     m_impl->placeOverlays();
+    Q_EMIT viewChanged();
 }
 
 void Viewport::dragEnterEvent(QDragEnterEvent* event) {

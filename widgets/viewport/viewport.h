@@ -11,8 +11,9 @@
 
 namespace chiaro::widgets {
 
-/// The scene, live (§4.2): turned, panned, zoomed and lit with the mouse. A frame that holds the OpenGL view,
-/// or the CPU renderer's pictures where there is no OpenGL. It knows core's types, never the document.
+/// The scene, live, by one of the methods (§4): turned, panned, zoomed and lit with the mouse. A frame that
+/// holds the OpenGL view, or the CPU renderer's pictures where there is no OpenGL. It knows core's types,
+/// never the document.
 ///
 /// What the setters give is kept here, so the picture survives a new OpenGL context (a floated dock makes
 /// one). Every setter takes effect with the next frame; none synthesises anything.
@@ -39,6 +40,12 @@ public:
     void setGradient(int sample, const gradient::Gradient& gradient);
     void setParams(const methods::ViewAlignedParams& params);
 
+    /// The key of the project::RenderMethod to show; "view-aligned" at first.
+    void setMethod(const std::string& key);
+    /// The image-based texture, best of the view that viewChanged() told; null shows G(L) alone. The one
+    /// before goes on being shown, moved along with its objects, until then.
+    void setViewTexture(std::shared_ptr<const ViewTexture> texture);
+
     /// Which mouse gestures turn, pan and zoom; see navigation.h. A plain left drag turns in all of them.
     using Navigation = widgets::Navigation;
     void setNavigation(Navigation navigation);
@@ -50,11 +57,14 @@ public:
     /// The scene as shown, in device pixels, without what lies over it (light sphere, note). Where the CPU
     /// renders, waits for the fine picture.
     QImage picture() const;
-    /// Where each object's texture lies, as followed through all moves so far; device pixels.
+    /// The size of the picture, device pixels.
+    QSize pixels() const;
+    /// Where each object's view-aligned texture lies, as followed through all moves so far; device pixels.
     std::vector<methods::TexturePlacement> placements() const;
 
 Q_SIGNALS:
     void cameraEdited(const scene::Camera& camera);  ///< after every navigation step
+    void viewChanged();                              ///< another camera, or another size in device pixels
     void lightEdited(int light, glm::vec3 vector);   ///< while a drag turns the light
     void lightEditFinished();                        ///< the drag ended
     void frameDrawn(double milliseconds);            ///< a frame was drawn; how long that took

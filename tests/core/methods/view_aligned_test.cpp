@@ -74,6 +74,21 @@ TEST(ZoomOctaves, AnOctaveEndsAsTheNextBegins) {
     EXPECT_FLOAT_EQ(zoomOctaves(0.25f).weight, 1);
 }
 
+TEST(ZoomOctaves, FadeInTheMiddleThirdAlone) {
+    EXPECT_FLOAT_EQ(zoomOctaves(std::exp2(0.3f)).weight, 1);
+    EXPECT_FLOAT_EQ(zoomOctaves(std::exp2(0.7f)).nextWeight, 1);
+    const ZoomOctaves middle = zoomOctaves(std::exp2(0.5f));
+    EXPECT_NEAR(middle.weight, std::sqrt(0.5), 1e-5);
+    EXPECT_NEAR(middle.nextWeight, std::sqrt(0.5), 1e-5);
+    ZoomOctaves before = zoomOctaves(1);
+    for (float octave = 0.005f; octave < 1; octave += 0.005f) {
+        const ZoomOctaves now = zoomOctaves(std::exp2(octave));
+        EXPECT_LE(now.weight, before.weight + 1e-5f);
+        EXPECT_LT(now.nextWeight - before.nextWeight, 0.05f) << octave;
+        before = now;
+    }
+}
+
 TEST(ZoomOctaves, KeepsContrast) {
     for (float zoom = 0.3f; zoom < 5; zoom *= 1.13f) {
         const ZoomOctaves octaves = zoomOctaves(zoom);
