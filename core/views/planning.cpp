@@ -104,7 +104,8 @@ private:
         m_plan.passes = 1;
         const Occluders drawn(m_surface, m_uncovered, Occluders::Sides::Both, 0);
         const Task planning = m_task.part(0, 0.3);
-        CandidateScores scores(m_surface, m_uncovered, &drawn, m_params.epsilon, m_directions, planning);
+        CandidateScores scores(m_surface, m_uncovered, &drawn, m_params.epsilon, samplesOfAll, m_directions,
+                               planning);
         for (const View& view : views) scores.take(glm::normalize(view.direction));
         while (int(m_plan.groups.size()) < m_params.count) {
             const int best = scores.best(improvementWorthAView);
@@ -140,8 +141,8 @@ private:
         const Occluders drawn(
             m_surface, alone ? FaceMask(wanted.size()) : wanted,
             drawnFaces == Drawn::Uncovered ? Occluders::Sides::Both : Occluders::Sides::Fronts, facing);
-        CandidateScores scores(m_surface, wanted, alone ? nullptr : &drawn, facing, m_directions,
-                               m_task.part(0, 0));
+        CandidateScores scores(m_surface, wanted, alone ? nullptr : &drawn, facing, samplesOfRest,
+                               m_directions, m_task.part(0, 0));
         ++m_plan.passes;
         const std::size_t first = m_plan.groups.size();
         FaceMask covered(wanted.size());
