@@ -12,7 +12,7 @@
 namespace chiaro::test {
 namespace {
 
-const std::string skull = resource("demo/meshes/skull.glb").string();
+const std::string shell = resource("demo/meshes/shell.ply").string();
 
 /// Two tents, each an object of two quads, the smaller under the larger; and a face without area.
 const char* const tents =
@@ -70,18 +70,18 @@ TEST(Views, TellsWhatTheContractNames) {
     EXPECT_EQ(thumbnails, json["views"].size());
 }
 
-TEST(Views, OfTheDemoHeadCoverItWhateverTheThreads) {
+TEST(Views, OfTheDemoShellCoverItWhateverTheThreads) {
     const TemporaryFolder folder;
-    const Outcome one = chiaro({"views", skull, "-o", folder / "a", "--json", "--threads", "1"});
-    const Outcome two = chiaro({"views", skull, "-o", folder / "b", "--json", "--threads", "2"});
+    const Outcome one = chiaro({"views", shell, "-o", folder / "a", "--json", "--threads", "1"});
+    const Outcome two = chiaro({"views", shell, "-o", folder / "b", "--json", "--threads", "2"});
     ASSERT_EQ(one.status, 0) << one.error;
     EXPECT_EQ(one.out, two.out);
     EXPECT_EQ(readFile(folder / "a/view_01.png", 1 << 24), readFile(folder / "b/view_01.png", 1 << 24));
     EXPECT_EQ(one.json()["coverage"], 1);
-    expectFacesInTheirViews(one.json(), scene::merged(scene::readModel(skull).meshes));
+    expectFacesInTheirViews(one.json(), scene::merged(scene::readModel(shell).meshes));
     const DecodedImage thumbnail = readImage(folder / "a/view_01.png");
     EXPECT_EQ(thumbnail.width, 360);
-    EXPECT_EQ(thumbnail.values[0], 1);  // white around the head
+    EXPECT_EQ(thumbnail.values[0], 1);  // white around the shell
     const std::size_t center = (180 * 360 + 180) * 3;
     EXPECT_GT(thumbnail.values[center], thumbnail.values[center + 2] + 0.3f);  // its faces tinted
 }
@@ -89,7 +89,7 @@ TEST(Views, OfTheDemoHeadCoverItWhateverTheThreads) {
 TEST(Views, UpStandsUprightInThem) {
     const TemporaryFolder folder;
     const Outcome outcome =
-        chiaro({"views", skull, "-o", folder / "out", "--json", "--count", "4", "--up", "0,0,2"});
+        chiaro({"views", shell, "-o", folder / "out", "--json", "--count", "4", "--up", "0,0,2"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     for (const nlohmann::json& view : outcome.json()["views"]) {
         const glm::dvec4 up = matrixFrom(view["view"]) * glm::dvec4(0, 0, 1, 0);
@@ -103,10 +103,10 @@ TEST(Views, RefusesWhatCannotBe) {
     const std::filesystem::path line = folder / "line.obj";
     writeFileAtomically(line, "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n");
     for (const auto& [status, arguments] : std::vector<std::pair<int, std::vector<std::string>>>{
-             {2, {"views", skull}},
-             {2, {"views", skull, "-o", folder / "out", "--count", "65"}},
-             {2, {"views", skull, "-o", folder / "out", "--up", "0,0,0"}},
-             {2, {"views", skull, "-o", folder / "out", "--up", "1,2"}},
+             {2, {"views", shell}},
+             {2, {"views", shell, "-o", folder / "out", "--count", "65"}},
+             {2, {"views", shell, "-o", folder / "out", "--up", "0,0,0"}},
+             {2, {"views", shell, "-o", folder / "out", "--up", "1,2"}},
              {1, {"views", folder / "missing.obj", "-o", folder / "out"}},
              {1, {"views", line, "-o", folder / "out"}}}) {
         const Outcome outcome = chiaro(arguments);
