@@ -6,9 +6,12 @@
 #include "core/views/group_map.h"
 
 #include <spdlog/fmt/fmt.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <vector>
 
 namespace chiaro::cli {
 
@@ -135,15 +138,19 @@ struct ViewsCommand {
     }
 
     void writeThumbnails(const views::Surface& surface, const views::ViewPlan& plan, const Task& task) const {
+        std::vector<ColorImage> pictures(plan.groups.size());
+        Task::Steps steps(task, plan.groups.size());
+        tbb::parallel_for(std::size_t(0), pictures.size(), [&](std::size_t i) {
+            pictures[i] = Thumbnail(surface, plan.groups[i]).draw();
+            steps.done();
+        });
         nlohmann::json parameters = parametersToJson(params);
         parameters["mesh"] = mesh.filename().string();
         parameters["up"] = {params.up.x, params.up.y, params.up.z};
-        Task::Steps steps(task, plan.groups.size());
-        for (std::size_t i = 0; i < plan.groups.size(); ++i) {
+        for (std::size_t i = 0; i < pictures.size(); ++i) {
             parameters["view"] = plan.groups[i].view.name;
-            writeImage(folder / fmt::format("view_{:02}.png", i + 1),
-                       Thumbnail(surface, plan.groups[i]).draw(), pictureMetadata("views", parameters));
-            steps.done();
+            writeImage(folder / fmt::format("view_{:02}.png", i + 1), pictures[i],
+                       pictureMetadata("views", parameters));
         }
     }
 

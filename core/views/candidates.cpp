@@ -12,9 +12,8 @@ namespace chiaro::views {
 namespace {
 
 constexpr int spread = 320;  // directions over the sphere, 6 degrees from the nearest at most
-constexpr std::size_t sampleLimit = 3000;
 // Faces of small meshes may be large and hidden in part, which a few rays miss: those are drawn coarsely.
-constexpr std::size_t exactLimit = 20000;
+constexpr std::size_t exactLimit = 6000;
 constexpr int coarseSize = 128;
 // What a view with n.v = 1 leaves a face to count: enough to prefer some overlap over none.
 constexpr float shown = 0.9f;
@@ -33,7 +32,8 @@ std::vector<glm::dvec3> candidateDirections() {
 }
 
 CandidateScores::CandidateScores(const Surface& surface, const FaceMask& part, const Occluders* drawn,
-                                 double minimumFacing, std::vector<glm::dvec3> directions, const Task& task)
+                                 double minimumFacing, std::size_t sampleLimit,
+                                 std::vector<glm::dvec3> directions, const Task& task)
     : m_surface(surface),
       m_drawn(drawn),
       m_minimumFacing(minimumFacing),

@@ -10,14 +10,19 @@ namespace chiaro::views {
 /// Directions worth looking from: the six axes, then points spread evenly over the sphere (Fibonacci).
 std::vector<glm::dvec3> candidateDirections();
 
+/// How many faces stand for the whole of a surface, and for what further passes are about.
+inline constexpr std::size_t samplesOfAll = 3000;
+inline constexpr std::size_t samplesOfRest = 1000;
+
 /// Faces that stand for a part of a surface, and how well each of some directions sees them. Small parts are
-/// looked at face by face; of large ones some thousands of faces are taken, spread evenly over the area.
+/// looked at face by face; of large ones as many faces are taken as asked for, spread evenly over the area.
 class CandidateScores {
 public:
     /// Samples the faces whose `part` is not 0, hidden by `drawn` (null: by nothing) and seen with n.v above
     /// minimumFacing. Throws Cancelled.
     CandidateScores(const Surface& surface, const FaceMask& part, const Occluders* drawn,
-                    double minimumFacing, std::vector<glm::dvec3> directions, const Task& task);
+                    double minimumFacing, std::size_t sampleLimit, std::vector<glm::dvec3> directions,
+                    const Task& task);
 
     const std::vector<glm::dvec3>& directions() const { return m_directions; }
     /// The direction that promises most: area times n.v, each face counting less the better the views taken

@@ -49,7 +49,7 @@ public:
         int ofThisKind = 0;
         // Progress can't know how many passes there will be; each takes half of what is left of the bar.
         double done = 0.6;
-        while (const double before = uncoveredArea()) {
+        for (double before = uncoveredArea(); before > 0; before = uncoveredArea()) {
             m_task.report(done);
             done += (1 - done) / 2;
             if (!furtherPass(drawn) && drawn == Drawn::EachAlone) break;
@@ -61,6 +61,7 @@ public:
         // Nothing that a mesh may hold leads here; were it so, the faces would be told of all the same.
         for (std::uint32_t face = 0; face < m_surface.faceCount(); ++face)
             if (m_uncovered[face] != 0) m_plan.unreachable.push_back(face);
+        std::ranges::sort(m_plan.unreachable);
         m_task.report(1);
         return std::move(m_plan);
     }
@@ -104,7 +105,8 @@ private:
         m_plan.passes = 1;
         const Occluders drawn(m_surface, m_uncovered, Occluders::Sides::Both, 0);
         const Task planning = m_task.part(0, 0.3);
-        CandidateScores scores(m_surface, m_uncovered, &drawn, m_params.epsilon, m_directions, planning);
+        CandidateScores scores(m_surface, m_uncovered, &drawn, m_params.epsilon, samplesOfAll, m_directions,
+                               planning);
         for (const View& view : views) scores.take(glm::normalize(view.direction));
         while (int(m_plan.groups.size()) < m_params.count) {
             const int best = scores.best(improvementWorthAView);
@@ -124,8 +126,7 @@ private:
     }
 
     void add(const View& view, Drawn drawn) {
-        m_plan.groups.push_back({view, m_plan.passes, drawn, {}});
-        m_plan.groups.back().pass = std::max(m_plan.passes, 1);
+        m_plan.groups.push_back({view, std::max(m_plan.passes, 1), drawn, {}});
     }
 
     void cover(const std::vector<std::uint32_t>& faces) {
@@ -140,8 +141,8 @@ private:
         const Occluders drawn(
             m_surface, alone ? FaceMask(wanted.size()) : wanted,
             drawnFaces == Drawn::Uncovered ? Occluders::Sides::Both : Occluders::Sides::Fronts, facing);
-        CandidateScores scores(m_surface, wanted, alone ? nullptr : &drawn, facing, m_directions,
-                               m_task.part(0, 0));
+        CandidateScores scores(m_surface, wanted, alone ? nullptr : &drawn, facing, samplesOfRest,
+                               m_directions, m_task.part(0, 0));
         ++m_plan.passes;
         const std::size_t first = m_plan.groups.size();
         FaceMask covered(wanted.size());
@@ -154,7 +155,7 @@ private:
             std::vector<std::uint32_t> faces = visibleFaces(drawn, view, {facing, &wanted}, m_task);
             const auto isNew = [&](std::uint32_t face) { return covered[face] == 0; };
             if (std::ranges::none_of(faces, isNew)) {
-                if (++vain == vainTries) break;
+                if (++vain == vainTries && !alone) break;
                 continue;
             }
             for (const std::uint32_t face : faces) covered[face] = 1;

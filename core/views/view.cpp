@@ -111,6 +111,16 @@ View framed(View view, const Surface& surface) {
     return view;
 }
 
+View viewFromCamera(const scene::Camera& camera, const glm::mat4& objectToWorld) {
+    const glm::dmat3 toObject = glm::inverse(glm::dmat3(glm::dmat4(objectToWorld)));
+    const glm::dmat3 basis(camera.basis());
+    View view;
+    view.direction = glm::normalize(toObject * basis[2]);
+    view.up = glm::normalize(toObject * basis[1]);
+    view.locked = true;
+    return view;
+}
+
 Projector::Projector(const View& view)
     : m_basis(view.basis()),
       m_eye(view.eye()),

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "core/scene/camera.h"
 #include "core/views/surface.h"
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <string>
 
 namespace chiaro::views {
@@ -47,6 +49,10 @@ struct View {
 /// of 2 % on each side. The object stays where it is also when only few of its faces are drawn: a further
 /// pass then paints with strokes as large as those of the first. Throws nothing.
 View framed(View view, const Surface& surface);
+
+/// The artist's view of an object from where a camera looks: its direction and up, in the object's space,
+/// locked; name and framing are still to be set. `objectToWorld` is invertible.
+View viewFromCamera(const scene::Camera& camera, const glm::mat4& objectToWorld);
 
 /// A view ready to project many points.
 class Projector {

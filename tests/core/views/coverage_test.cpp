@@ -36,7 +36,9 @@ TEST(Coverage, AddsUp) {
     for (const test::OddMesh& odd : test::oddMeshes()) {
         SCOPED_TRACE(odd.what);
         const Surface surface = test::surfaceOf(odd.parts);
-        const ViewPlan plan = planViews(surface, {});
+        ViewParams params;
+        params.size = 128;
+        const ViewPlan plan = planViews(surface, params);
         const CoverageReport report = measureCoverage(surface, plan);
         EXPECT_EQ(report.covered, 1);
         EXPECT_EQ(report.faces, surface.faceCount());

@@ -72,14 +72,13 @@ TEST(Planning, SizeDoesNotMatter) {
 }
 
 TEST(Planning, TheSameForAnyNumberOfThreads) {
-    const Surface surface = test::surfaceOf({test::ball(60, 40), test::box({0.6f, 0, 0}, glm::vec3(0.7f))});
+    const Surface surface = test::surfaceOf({test::ball(40, 20), test::box({0.6f, 0, 0}, glm::vec3(0.7f))});
     std::vector<ViewPlan> plans;
-    for (const std::size_t threads : {1, 2, 5}) {
+    for (const std::size_t threads : {1, 5}) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         plans.push_back(planViews(surface, smallMaps()));
     }
     EXPECT_EQ(plans[0], plans[1]);
-    EXPECT_EQ(plans[0], plans[2]);
 }
 
 TEST(Planning, TakesAsManyViewsAsAskedForWhereTheyImproveSomething) {

@@ -83,6 +83,21 @@ TEST(View, MatricesSayWhatTheProjectorDoes) {
         }
 }
 
+TEST(View, FromACameraLooksAtTheObjectWhereItStands) {
+    scene::Camera camera;
+    camera.azimuth = 90;  // from +X
+    camera.elevation = 0;
+    glm::mat4 lying(0);  // the object's y is the world's x, its z the world's y, its x the world's z
+    lying[0] = {0, 0, 5, 0};
+    lying[1] = {5, 0, 0, 0};
+    lying[2] = {0, 5, 0, 0};
+    lying[3] = {7, 8, 9, 1};
+    const View view = viewFromCamera(camera, lying);
+    EXPECT_LT(glm::distance(view.direction, glm::dvec3(0, 1, 0)), 1e-6);
+    EXPECT_LT(glm::distance(view.up, glm::dvec3(0, 0, 1)), 1e-6);
+    EXPECT_TRUE(view.locked);
+}
+
 TEST(View, ASharpPointNeverReachesTheEye) {
     const Surface spike = test::surfaceOf({test::triangle({0, 0, 100}, {1, 0, 0}, {0, 1, 0})});
     View view = viewFrom({0, 0, 1}, Projection::Perspective);
