@@ -21,7 +21,6 @@ const char* const slot = "frame texture";
 constexpr int draftStep = 2;
 methods::ImageBasedParams draftOf(methods::ImageBasedParams params) {
     params.window = std::min(params.window, 2);
-    params.quilt.tolerance = 0;  // what still fits best stays
     return params;
 }
 
@@ -77,33 +76,8 @@ struct FrameTextures::Inputs {
     scene::Camera camera;
     QSize pixels;
     methods::ImageBasedParams params;
-    Rays rays;                                            ///< null: to be built
-    std::shared_ptr<const widgets::ViewTexture> earlier;  ///< of the same paint; null when there is none
-
-    methods::ImageBasedTask draftTask(const scene::GBuffer& guide) const;
+    Rays rays;  ///< null: to be built
 };
-
-/// A draft stays close to what is shown, so that strokes that still fit stay where they are.
-methods::ImageBasedTask FrameTextures::Inputs::draftTask(const scene::GBuffer& guide) const {
-    methods::ImageBasedTask view;
-    view.guides = methods::objectGuides(guide, scene.objects.size());
-    if (!earlier) return view;
-    view.previousWeight = 1;
-    const auto motions = earlier->motions(scene, camera, guide.width, guide.height);
-    for (std::size_t i = 0; i < view.guides.size(); ++i) {
-        const methods::ObjectGuide& object = view.guides[i];
-        methods::KnownTexture& known = view.previous.emplace_back();
-        if (earlier->objects[i].texels.empty()) continue;
-        known = {ColorImage(object.covered.width(), object.covered.height()), object.covered};
-        for (int y = 0; y < known.pixels.height(); ++y)
-            for (int x = 0; x < known.pixels.width(); ++x) {
-                if (object.covered(x, y) == 0) continue;
-                const glm::vec2 position = glm::vec2(object.origin + glm::ivec2(x, y)) + 0.5F;
-                known.pixels(x, y) = earlier->difference(i, (position - motions[i].offset) / motions[i].zoom);
-            }
-    }
-    return view;
-}
 
 struct FrameTextures::Made {
     Rays rays;
@@ -240,7 +214,6 @@ void FrameTextures::refresh() {
     }
     if (m_givenUp.contains(keys.view)) return m_jobs.supersede(slot);
     if (m_raysGeometry == keys.geometry) now.rays = m_rays;
-    if (m_texture && m_shownKeys.content == keys.content) now.earlier = m_texture;
     if (!isShown) return start(std::move(now), keys, true);
     if (!m_rest.isActive()) start(std::move(now), keys, false);
 }
@@ -256,11 +229,8 @@ FrameTextures::Made FrameTextures::make(const Inputs& inputs, bool isDraft, cons
                                      inputs.pixels.height(), casting);
     methods::SampleTextures samples;
     for (const auto& texture : inputs.textures) samples.push_back(texture ? texture.get() : &unpainted);
-    const Task quilting = task.part(0.5, 0.95);
-    const methods::ImageBasedTexture made =
-        isDraft ? methods::synthesizeImageBased(inputs.draftTask(gbuffer), samples, draftOf(inputs.params),
-                                                quilting)
-                : methods::synthesizeImageBased(gbuffer, samples, inputs.params, quilting);
+    const methods::ImageBasedTexture made = methods::synthesizeImageBased(
+        gbuffer, samples, isDraft ? draftOf(inputs.params) : inputs.params, task.part(0.5, 0.95));
     return {rays, std::make_shared<const widgets::ViewTexture>(widgets::viewTexture(
                       made, inputs.scene, inputs.camera, gbuffer.width, gbuffer.height, task))};
 }

@@ -76,30 +76,6 @@ private Q_SLOTS:
         QVERIFY(studio.frameTextures.texture() != before);
     }
 
-    void aDraftStaysCloseToWhatIsShown() {
-        Painted studio(m_folder);
-        QVERIFY(studio.isReady);
-        const auto before = studio.frameTextures.texture();
-        std::vector<std::shared_ptr<const widgets::ViewTexture>> shown;
-        connect(&studio.frameTextures, &FrameTextures::textureChanged, this,
-                [&] { shown.push_back(studio.frameTextures.texture()); });
-        studio.turnLight(0.3F);
-        QVERIFY(studio.settleFine());
-        QCOMPARE(shown.size(), 2U);
-        const auto change = [&](const widgets::ViewTexture& texture) {
-            double sum = 0;
-            for (int y = 40; y < 120; ++y)
-                for (int x = 60; x < 160; ++x) {
-                    const glm::vec2 place(float(x) + 0.5F, float(y) + 0.5F);
-                    const glm::vec3 away = texture.difference(0, place) - before->difference(0, place);
-                    sum += double(glm::dot(away, away));
-                }
-            return sum;
-        };
-        QVERIFY2(change(*shown[0]) < 0.8 * change(*shown[1]),
-                 qPrintable(QString("draft %1, fine %2").arg(change(*shown[0])).arg(change(*shown[1]))));
-    }
-
     void undoFindsItsTextureStillThere() {
         Painted studio(m_folder);
         QVERIFY(studio.isReady);
