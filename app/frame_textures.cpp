@@ -231,8 +231,8 @@ FrameTextures::Made FrameTextures::make(const Inputs& inputs, bool isDraft, cons
     for (const auto& texture : inputs.textures) samples.push_back(texture ? texture.get() : &unpainted);
     const methods::ImageBasedTexture made = methods::synthesizeImageBased(
         gbuffer, samples, isDraft ? draftOf(inputs.params) : inputs.params, task.part(0.5, 0.95));
-    return {rays, std::make_shared<const widgets::ViewTexture>(
-                      widgets::viewTexture(made, inputs.scene, inputs.camera, gbuffer, task))};
+    return {rays, std::make_shared<const widgets::ViewTexture>(widgets::viewTexture(
+                      made, inputs.scene, inputs.camera, gbuffer.width, gbuffer.height, task))};
 }
 
 void FrameTextures::start(Inputs inputs, const Keys& keys, bool isDraft) {

@@ -24,8 +24,8 @@ class Paints;
 /// that. Made in the background, a draft first; the last texture stays until there is a newer one.
 ///
 /// While the artist drags the light or the camera, drafts follow one another, one at a time, each of the
-/// newest state; the fine texture is made when that rests, and remembered under the hash of what it comes
-/// from. Recolouring is in no hash: G(L) is added where the texture is shown.
+/// newest state; the fine texture is made when that rests, and remembered under
+/// the hash of what it comes from. Recolouring is in no hash: G(L) is added where the texture is shown.
 class FrameTextures : public QObject {
     Q_OBJECT
 

@@ -146,8 +146,8 @@ ImageBasedReference imageBasedPicture(const scene::Scene& scene, const scene::Ca
     const methods::ImageBasedTexture made = methods::synthesizeImageBased(
         gbuffer, methods::SampleTextures(scene.objects.size(), &paint.separation.texture),
         project.imageBased);
-    result.texture =
-        std::make_shared<const widgets::ViewTexture>(widgets::viewTexture(made, scene, camera, gbuffer));
+    result.texture = std::make_shared<const widgets::ViewTexture>(
+        widgets::viewTexture(made, scene, camera, pixels.width(), pixels.height()));
     return result;
 }
 

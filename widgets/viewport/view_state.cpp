@@ -99,23 +99,7 @@ void ViewState::follow(QSize pixels) {
 
 std::vector<methods::TexturePlacement> ViewState::textureMotions(const ViewTexture& texture,
                                                                  QSize pixels) const {
-    std::vector<methods::TexturePlacement> motions(m_scene.objects.size());
-    const glm::mat4 viewThen = texture.camera.view();
-    const glm::mat4 projectionThen = texture.camera.projection(texture.width, texture.height);
-    const glm::mat4 viewNow = camera.view();
-    const glm::mat4 projectionNow = camera.projection(pixels.width(), pixels.height());
-    methods::ViewAlignedParams scaled;
-    scaled.followZoom = true;
-    for (std::size_t i = 0; i < std::min(motions.size(), texture.objects.size()); ++i) {
-        const scene::Object& object = m_scene.objects[i];
-        const methods::ObjectView then{viewThen * texture.objects[i].transform, projectionThen, texture.width,
-                                       texture.height};
-        const methods::ObjectView now{viewNow * object.transform, projectionNow, pixels.width(),
-                                      pixels.height()};
-        if (object.mesh && !samePose(then, now))
-            motions[i] = methods::follow({}, *object.mesh, then, now, scaled);
-    }
-    return motions;
+    return texture.motions(m_scene, camera, pixels.width(), pixels.height());
 }
 
 }  // namespace chiaro::widgets

@@ -61,8 +61,7 @@ public:
     /// of another size moves them but does not scale them: a larger window shows as large strokes.
     void follow(QSize pixels);
     const std::vector<methods::TexturePlacement>& placements() const { return m_placements; }
-    /// How the objects moved on the screen since a texture was made, one an object: a position p in a view of
-    /// so many pixels shows what was at (p - offset) / zoom then.
+    /// ViewTexture::motions in a view of so many pixels.
     std::vector<methods::TexturePlacement> textureMotions(const ViewTexture& texture, QSize pixels) const;
 
 private:

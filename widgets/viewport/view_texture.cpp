@@ -1,7 +1,5 @@
 #include "widgets/viewport/view_texture.h"
 
-#include "core/methods/object_guide.h"
-
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -47,12 +45,11 @@ Image<Pixel> padded(const Image<Pixel>& image) {
     return result;
 }
 
-Image<DifferenceTexel> extended(const methods::ObjectTexture& made, const methods::ObjectGuide& guide,
-                                const DifferenceRange& range) {
+Image<DifferenceTexel> extended(const methods::ObjectTexture& made, const DifferenceRange& range) {
     Image<DifferenceTexel> texels(made.pixels.width(), made.pixels.height());
     encodeDifferences(made.pixels, range, texels.pixels().data());
     texels = padded(texels);
-    const Image<std::uint8_t> covered = padded(guide.covered);
+    const Image<std::uint8_t> covered = padded(made.covered);
     const Image<glm::ivec2> nearest = nearestCovered(covered);
     for (int y = 0; y < texels.height(); ++y)
         for (int x = 0; x < texels.width(); ++x) {
@@ -85,6 +82,25 @@ glm::vec3 ViewTexture::difference(std::size_t object, glm::vec2 position) const 
     return glm::mix(glm::mix(at(0, 0), at(1, 0), t.x), glm::mix(at(0, 1), at(1, 1), t.x), t.y);
 }
 
+std::vector<methods::TexturePlacement> ViewTexture::motions(const scene::Scene& scene,
+                                                            const scene::Camera& now, int nowWidth,
+                                                            int nowHeight) const {
+    std::vector<methods::TexturePlacement> motions(scene.objects.size());
+    const bool isSameView = now == camera && nowWidth == width && nowHeight == height;
+    methods::ViewAlignedParams scaled;
+    scaled.followZoom = true;
+    for (std::size_t i = 0; i < std::min(motions.size(), objects.size()); ++i) {
+        const scene::Object& object = scene.objects[i];
+        if (!object.mesh || (isSameView && object.transform == objects[i].transform)) continue;
+        motions[i] = methods::follow(
+            {}, *object.mesh,
+            {camera.view() * objects[i].transform, camera.projection(width, height), width, height},
+            {now.view() * object.transform, now.projection(nowWidth, nowHeight), nowWidth, nowHeight},
+            scaled);
+    }
+    return motions;
+}
+
 std::size_t ViewTexture::bytes() const {
     std::size_t bytes = 0;
     for (const Object& object : objects) bytes += object.texels.pixelCount() * sizeof(DifferenceTexel);
@@ -92,21 +108,20 @@ std::size_t ViewTexture::bytes() const {
 }
 
 ViewTexture viewTexture(const methods::ImageBasedTexture& made, const scene::Scene& scene,
-                        const scene::Camera& camera, const scene::GBuffer& gbuffer, const Task& task) {
+                        const scene::Camera& camera, int width, int height, const Task& task) {
     ViewTexture texture;
     texture.camera = camera;
-    texture.width = gbuffer.width;
-    texture.height = gbuffer.height;
+    texture.width = width;
+    texture.height = height;
     float largest = 0;
     for (const methods::ObjectTexture& object : made.objects)
         largest = std::max(largest, largestDifference(object.pixels));
     texture.range = DifferenceRange::of(largest);
-    const std::vector<methods::ObjectGuide> guides = methods::objectGuides(gbuffer, made.objects.size());
     for (std::size_t i = 0; i < made.objects.size(); ++i) {
         task.checkpoint();
         texture.objects.push_back({made.objects[i].origin - margin, {}, scene.objects[i].transform});
-        if (guides[i].empty()) continue;
-        texture.objects.back().texels = extended(made.objects[i], guides[i], texture.range);
+        if (made.objects[i].pixels.empty()) continue;
+        texture.objects.back().texels = extended(made.objects[i], texture.range);
     }
     return texture;
 }

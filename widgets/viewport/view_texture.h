@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/methods/image_based.h"
+#include "core/methods/view_aligned.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 #include "widgets/viewport/difference_texels.h"
@@ -27,12 +28,16 @@ struct ViewTexture {
     /// The difference at a position in the picture that it was made for, in pixels; bilinear, and mirrored
     /// outside the texels. 0 for an object that wasn't in view.
     glm::vec3 difference(std::size_t object, glm::vec2 position) const;
+    /// How the objects moved on the screen since then, one an object of the scene: a position p in a view of
+    /// so many pixels shows what was at (p - offset) / zoom.
+    std::vector<methods::TexturePlacement> motions(const scene::Scene& scene, const scene::Camera& now,
+                                                   int nowWidth, int nowHeight) const;
     std::size_t bytes() const;
 };
 
-/// What synthesizeImageBased made for a view of the scene, ready to show. Safe from any thread. Throws
-/// Cancelled.
+/// What synthesizeImageBased made for a view of the scene of so many pixels, ready to show. Safe from any
+/// thread. Throws Cancelled.
 ViewTexture viewTexture(const methods::ImageBasedTexture& made, const scene::Scene& scene,
-                        const scene::Camera& camera, const scene::GBuffer& gbuffer, const Task& task = {});
+                        const scene::Camera& camera, int width, int height, const Task& task = {});
 
 }  // namespace chiaro::widgets
