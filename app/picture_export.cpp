@@ -89,8 +89,8 @@ methods::Frame synthesizedFrame(const PictureSource& source, const scene::GBuffe
     bare.shown = unpainted().gradient;
     project::WornPaints worn;
     for (const scene::Object& object : source.scene.objects)
-        worn.push_back(std::size_t(object.sample) < paints.size() ? &paints[std::size_t(object.sample)]
-                                                                  : &bare);
+        worn.push_back(
+            {std::size_t(object.sample) < paints.size() ? &paints[std::size_t(object.sample)] : &bare});
     project::Project project = source.project;
     synthesis::QuiltParams& quilt = project.imageBased.quilt;
     const auto length = [&](int pixels) { return int(std::lround(float(pixels) * pixelsPerPixel)); };

@@ -62,11 +62,12 @@ struct AnimateCommand {
         refuseInputs(project, range);
         Stopwatch stopwatch;
         const LoadedProject loaded = loadProject(std::move(project), task.part(0, 0.1));
-        const project::WornPaints worn = project::wornPaints(loaded.scene, loaded.paints);
+        const project::WornPaints worn =
+            project::wornPaints(loaded.project, loaded.scene, loaded.paints, task.part(0.1, 0.3));
         const glm::ivec2 size = picture.size();
         const project::Shot shot{loaded.project, loaded.scene, worn, way, size.x, size.y};
-        const int resumed = makesVideo() ? makeVideo(shot, range, task.part(0.1, 1))
-                                         : makeFrames(shot, range, task.part(0.1, 1));
+        const int resumed = makesVideo() ? makeVideo(shot, range, task.part(0.3, 1))
+                                         : makeFrames(shot, range, task.part(0.3, 1));
         const double seconds = stopwatch.lap();
         session.finish(
             {{"frames", range.count()}, {"seconds", seconds}, {"resumed", resumed}},

@@ -98,7 +98,8 @@ private:
         const scene::GBuffer gbuffer = scene::castGBuffer(
             rays, loaded.scene.lights, project::cameraFor(loaded.project, loaded.scene), 1280, 960);
         const methods::Frame frame =
-            project::renderFrame(loaded.project, project::wornPaints(loaded.scene, loaded.paints), gbuffer)
+            project::renderFrame(loaded.project,
+                                 project::wornPaints(loaded.project, loaded.scene, loaded.paints), gbuffer)
                 .frame;
         add("demo.png", "The demo project: every object in a paint of its own",
             methods::over(frame.picture, glm::vec3(1)));
@@ -131,7 +132,7 @@ private:
 
     void paintMesh(const View& view, const fs::path& mesh, const fs::path& sample,
                    const project::Paint& paint) {
-        const project::WornPaints worn(view.scene.objects.size(), &paint);
+        const project::WornPaints worn(view.scene.objects.size(), {&paint});
         const methods::Frame frame = project::renderFrame(view.project, worn, view.gbuffer).frame;
         add(fmt::format("{}-{}.png", mesh.stem().string(), sample.stem().string()),
             fmt::format("{} in {}", mesh.stem().string(), sample.stem().string()),

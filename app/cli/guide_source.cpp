@@ -80,14 +80,14 @@ project::WornPaints GuideSource::wornPaints(const project::Project& project, con
     std::vector<int> present;
     for (int id = 1; id <= greatestId; ++id)
         if (seen[std::size_t(id)]) present.push_back(id);
-    project::WornPaints worn(present.empty() ? 0 : std::size_t(present.back()), &paints.front());
+    project::WornPaints worn(present.empty() ? 0 : std::size_t(present.back()), {&paints.front()});
     for (const project::ObjectSettings& object : project.objects) {
         const int id = idFrom(object.name);
         if (!std::ranges::binary_search(present, id))
             throw Error((m_ids.empty() ? m_light : m_ids).string(), "has no object \"" + object.name + "\"",
                         present.empty() ? "nothing in it is inside an object"
                                         : fmt::format("it has {}", fmt::join(present, ", ")).substr(0, 400));
-        worn[std::size_t(id) - 1] = &paints[std::size_t(object.sample)];
+        worn[std::size_t(id) - 1].paint = &paints[std::size_t(object.sample)];
     }
     return worn;
 }

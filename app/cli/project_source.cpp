@@ -149,6 +149,10 @@ void ProjectSource::addMethodFlags(CLI::App& command) {
         command, {[](Project& project) -> methods::ViewAlignedParams& { return project.viewAligned; }});
     addOverrides<methods::ImageBasedParams>(
         command, {[](Project& project) -> methods::ImageBasedParams& { return project.imageBased; }});
+    addOverrides<methods::ViewDependentParams>(
+        command, {[](Project& project) -> methods::ViewDependentParams& { return project.viewDependent; }});
+    addOverrides<views::ViewParams>(
+        command, {[](Project& project) -> views::ViewParams& { return project.views; }}, "view-");
     addOverrides<synthesis::LevelParams>(
         command, {[](Project& project) -> synthesis::LevelParams& { return project.levels; }}, "level-");
     // One set of flags for whichever method quilts.

@@ -78,7 +78,8 @@ struct RenderCommand {
         const scene::RayScene rays(loaded.scene, task.part(0.5, 0.55));
         const scene::Camera camera = project::cameraFor(loaded.project, loaded.scene);
         View view{std::move(loaded.project), std::move(loaded.paints), {}, {}};
-        view.worn = project::wornPaints(loaded.scene, view.paints);
+        view.worn = project::wornPaints(view.project, loaded.scene, view.paints, task.part(0.5, 0.6));
+        seconds.synthesis += stopwatch.lap();
         const glm::ivec2 pixels = picture.size();
         view.gbuffer =
             scene::castGBuffer(rays, loaded.scene.lights, camera, pixels.x, pixels.y, task.part(0.55, 0.7));

@@ -54,10 +54,10 @@ std::uint64_t contentHash(const Shot& shot) {
         hasher.add(std::span(object.mesh->positions)).add(std::span(object.mesh->normals));
         hasher.add(std::span(object.mesh->triangles));
     }
-    for (const Paint* paint : shot.worn)
-        hasher.add(paint->strip.pixels())
-            .add(paint->separation.texture.pixels())
-            .add(std::span(paint->shown));
+    for (const Worn& one : shot.worn)
+        hasher.add(one.paint->strip.pixels())
+            .add(one.paint->separation.texture.pixels())
+            .add(std::span(one.paint->shown));
     addView(hasher, shot.view(1));
     addPath(hasher, shot.path);
     return hasher.value();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 
 namespace chiaro::project {
 
@@ -56,9 +57,35 @@ scene::Camera cameraFor(const Project& project, const scene::Scene& scene) {
     return project.frameCamera ? project.camera.framed(boundsOf(scene)) : project.camera;
 }
 
-WornPaints wornPaints(const scene::Scene& scene, const std::vector<Paint>& paints) {
+std::shared_ptr<const methods::PaintedObject> paintObject(const Project& project,
+                                                          std::shared_ptr<const scene::Mesh> mesh,
+                                                          const Paint& paint, const Task& task) {
+    auto painted = std::make_shared<methods::PaintedObject>();
+    painted->planned = methods::planObject(std::move(mesh), project.views, {}, task.part(0, 0.2));
+    painted->weights = std::make_shared<const methods::ViewWeights>(*painted->planned, project.views.epsilon);
+    const auto sources = synthesis::levelSources(paint.strip, paint.separation.gradient, project.levels);
+    painted->textures = methods::synthesizeViews(*painted->planned, sources, project.viewDependent.propagate,
+                                                 task.part(0.2, 1));
+    return painted;
+}
+
+WornPaints wornPaints(const Project& project, const scene::Scene& scene, const std::vector<Paint>& paints,
+                      const Task& task) {
     WornPaints worn;
-    for (const scene::Object& object : scene.objects) worn.push_back(&paints[std::size_t(object.sample)]);
+    const bool usesViews = renderMethod(project.method).usesViews;
+    std::map<std::pair<const scene::Mesh*, int>, std::shared_ptr<const methods::PaintedObject>> painted;
+    const double share = 1 / double(std::max<std::size_t>(scene.objects.size(), 1));
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const scene::Object& object = scene.objects[i];
+        Worn& one = worn.emplace_back(
+            Worn{&paints[std::size_t(object.sample)], nullptr, glm::inverse(object.transform)});
+        if (!usesViews || !object.visible) continue;
+        auto& views = painted[{object.mesh.get(), object.sample}];
+        if (!views)
+            views = paintObject(project, object.mesh, *one.paint,
+                                task.part(share * double(i), share * double(i + 1)));
+        one.views = views;
+    }
     return worn;
 }
 

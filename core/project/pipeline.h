@@ -18,8 +18,15 @@ struct Paint {
     double levelSeconds = 0;       ///< what the level stack took to make
 };
 
-/// What each object of a view wears, [k - 1] of object k.
-using WornPaints = std::vector<const Paint*>;
+/// What an object of a view wears.
+struct Worn {
+    const Paint* paint = nullptr;
+    std::shared_ptr<const methods::PaintedObject> views = nullptr;  ///< null when the method uses none
+    glm::mat4 worldToObject{1};
+};
+
+/// [k - 1] of object k.
+using WornPaints = std::vector<Worn>;
 
 /// The gradient that pictures show for a sample.
 gradient::Gradient shownGradient(const Sample& sample, const gradient::Separation& separation);
@@ -40,8 +47,15 @@ scene::Scene makeScene(const Project& project, const std::vector<std::shared_ptr
 /// The project's camera, aimed at the scene when the project says so.
 scene::Camera cameraFor(const Project& project, const scene::Scene& scene);
 
-/// The paint that each object of the scene wears; `paints` has one entry a sample of the project.
-WornPaints wornPaints(const scene::Scene& scene, const std::vector<Paint>& paints);
+/// An object's views and their textures: planned, weighed and quilted. Throws Error, Cancelled.
+std::shared_ptr<const methods::PaintedObject> paintObject(const Project& project,
+                                                          std::shared_ptr<const scene::Mesh> mesh,
+                                                          const Paint& paint, const Task& task = {});
+
+/// What each object of the scene wears; `paints` has one entry a sample of the project. Makes the objects'
+/// own textures when the project's method uses them. Throws Error, Cancelled.
+WornPaints wornPaints(const Project& project, const scene::Scene& scene, const std::vector<Paint>& paints,
+                      const Task& task = {});
 
 /// A picture and what it took.
 struct Rendering {

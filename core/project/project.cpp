@@ -185,6 +185,15 @@ Project projectFromJson(const Json& json, const fs::path& path) {
         reader.child("image-based").params(project.imageBased.quilt);
         reader.child("image-based").params(project.coherence);
     }
+    if (reader.has("view-dependent")) {
+        const JsonReader child = reader.child("view-dependent");
+        child.params(project.viewDependent);
+        child.params(project.views);
+        glm::vec3 up(project.views.up);
+        child.read("up", up);
+        if (glm::length(up) == 0) throw child.wrong("up", "a direction that is not zero");
+        project.views.up = glm::dvec3(up);
+    }
     return project;
 }
 
@@ -217,6 +226,9 @@ void writeProject(const fs::path& path, const Project& project) {
     json["image-based"] = jsonFromParams(project.imageBased);
     json["image-based"].update(jsonFromParams(project.imageBased.quilt));
     json["image-based"].update(jsonFromParams(project.coherence));
+    json["view-dependent"] = jsonFromParams(project.viewDependent);
+    json["view-dependent"].update(jsonFromParams(project.views));
+    json["view-dependent"]["up"] = jsonFromVector(glm::vec3(project.views.up));
     writeFileAtomically(path, json.dump(2) + "\n");
 }
 

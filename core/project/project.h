@@ -4,6 +4,7 @@
 #include "core/methods/coherence.h"
 #include "core/methods/image_based.h"
 #include "core/methods/view_aligned.h"
+#include "core/methods/view_dependent.h"
 #include "core/sample/strip.h"
 #include "core/scene/scene.h"
 #include "core/synthesis/levels.h"
@@ -48,6 +49,8 @@ struct Project {
     synthesis::LevelParams levels;
     methods::ViewAlignedParams viewAligned;
     methods::ImageBasedParams imageBased;
+    views::ViewParams views;  ///< of every object
+    methods::ViewDependentParams viewDependent;
     methods::CoherenceParams coherence;  ///< of image-based animations
     friend bool operator==(const Project&, const Project&) = default;
 };

@@ -16,7 +16,7 @@ double secondsSince(std::chrono::steady_clock::time_point begin) {
 
 std::vector<const gradient::Gradient*> gradientsOf(const WornPaints& worn) {
     std::vector<const gradient::Gradient*> gradients;
-    for (const Paint* paint : worn) gradients.push_back(&paint->shown);
+    for (const Worn& one : worn) gradients.push_back(&one.paint->shown);
     return gradients;
 }
 
@@ -24,8 +24,8 @@ std::vector<const gradient::Gradient*> gradientsOf(const WornPaints& worn) {
 class PreparedTextures {
 public:
     explicit PreparedTextures(const WornPaints& worn) {
-        for (const Paint* paint : worn) {
-            const ColorImage* texture = &paint->separation.texture;
+        for (const Worn& one : worn) {
+            const ColorImage* texture = &one.paint->separation.texture;
             m_textures.push_back({texture, &m_prepared.try_emplace(texture, *texture).first->second});
         }
     }

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/project/render_image_based.h"
 #include "core/project/render_view_aligned.h"
+#include "core/project/render_view_dependent.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -12,10 +13,12 @@ namespace chiaro::project {
 
 std::span<const RenderMethod> renderMethods() {
     static const RenderMethod methods[] = {
-        {"image-based", "Image-based", false, true, renderImageBased, animateImageBased,
+        {"image-based", "Image-based", false, false, true, renderImageBased, animateImageBased,
          imageBasedParameters},
-        {"view-aligned", "View-aligned", true, false, renderViewAligned, animateViewAligned,
+        {"view-aligned", "View-aligned", true, false, false, renderViewAligned, animateViewAligned,
          viewAlignedParameters},
+        {"view-dependent", "View-dependent", false, true, false, renderViewDependent, animateViewDependent,
+         viewDependentParameters},
     };
     return methods;
 }

@@ -16,6 +16,7 @@ struct RenderMethod {
     std::string key;    ///< in project files and after --method
     std::string label;  ///< in the studio
     bool usesLevels;    ///< needs the level stack of every sample
+    bool usesViews;     ///< needs textures of every object's own views
     bool takesGuides;   ///< needs nothing of a view but light and object ids
     Rendering (*render)(const Project& project, const WornPaints& worn, const scene::GBuffer& gbuffer,
                         const Task& task);

@@ -12,7 +12,7 @@ Rendering painted(const Project& project, const WornPaints& worn, const Placemen
                   const scene::GBuffer& gbuffer, const Task& task) {
     std::vector<methods::ViewAlignedPaint> paints;
     for (std::size_t i = 0; i < worn.size(); ++i)
-        paints.push_back({&worn[i]->levels, &worn[i]->shown, placements[i]});
+        paints.push_back({&worn[i].paint->levels, &worn[i].paint->shown, placements[i]});
     return {methods::renderViewAligned(gbuffer, paints, project.viewAligned, task), {}, 0};
 }
 

@@ -177,6 +177,7 @@ GBuffer castGBuffer(const RayScene& rays, const std::vector<Light>& lights, cons
     GBuffer gbuffer;
     gbuffer.width = width;
     gbuffer.height = height;
+    gbuffer.eye = camera.position();
     gbuffer.light = ScalarImage(width, height, -1);
     gbuffer.objectId = IdImage(width, height, 0);
     gbuffer.faceId = Image<std::uint32_t>(width, height, 0xFFFFFFFF);

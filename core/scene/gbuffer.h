@@ -22,6 +22,7 @@ struct SurfaceSample {
 struct GBuffer {
     int width = 0;
     int height = 0;
+    glm::vec3 eye{0};               ///< where the view was cast from, world space
     ScalarImage light;              ///< L in [0, 1], -1 outside
     IdImage objectId;               ///< 0 outside, 1.. the object
     Image<std::uint32_t> faceId;    ///< index in the object's mesh; 0xFFFFFFFF outside

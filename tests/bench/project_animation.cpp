@@ -30,7 +30,7 @@ struct Stage {
             meshes.push_back(std::make_shared<const scene::Mesh>(mesh));
         scene = project::makeScene(project, meshes);
         paints.push_back(project::preparePaint(project, 0));
-        worn = project::wornPaints(scene, paints);
+        worn = project::wornPaints(project, scene, paints);
     }
 };
 

@@ -42,7 +42,7 @@ ColorImage paint(const Render& render) {
     const scene::GBuffer gbuffer = scene::castGBuffer(scene::RayScene(scene), scene.lights,
                                                       project::cameraFor(project, scene), 320, 320);
     const project::Paint made = project::preparePaint(project, 0);
-    const project::WornPaints worn(scene.objects.size(), &made);
+    const project::WornPaints worn(scene.objects.size(), {&made});
     return methods::over(project::renderFrame(project, worn, gbuffer).frame.picture, glm::vec3(1));
 }
 

@@ -42,7 +42,7 @@ Paint spottedPaint() {
 class Stage {
 public:
     explicit Stage(Coherence coherence, const std::string& method = "image-based", int pixels = 96)
-        : m_scene(test::sceneOf({test::ball(64, 32)})), m_paint(spottedPaint()), m_worn{&m_paint} {
+        : m_scene(test::sceneOf({test::ball(64, 32)})), m_paint(spottedPaint()), m_worn{{&m_paint}} {
         m_project.method = method;
         m_project.imageBased.quilt.block = 16;
         m_project.coherence.mode = coherence;
