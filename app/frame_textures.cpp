@@ -20,7 +20,7 @@ const char* const slot = "frame texture";
 /// of the rays, and its window is narrow, which costs half of the search.
 constexpr int draftStep = 2;
 methods::ImageBasedParams draftOf(methods::ImageBasedParams params) {
-    params.window = std::min(params.window, 2);
+    params.draft = true;
     return params;
 }
 

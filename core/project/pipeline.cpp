@@ -2,6 +2,8 @@
 
 #include "core/project/render_method.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <chrono>
 #include <map>
@@ -57,15 +59,31 @@ scene::Camera cameraFor(const Project& project, const scene::Scene& scene) {
     return project.frameCamera ? project.camera.framed(boundsOf(scene)) : project.camera;
 }
 
-std::shared_ptr<const methods::PaintedObject> paintObject(const Project& project,
-                                                          std::shared_ptr<const scene::Mesh> mesh,
-                                                          const Paint& paint, const Task& task) {
+std::shared_ptr<const methods::PlannedObject> planObject(const Project& project, const std::string& name,
+                                                         std::shared_ptr<const scene::Mesh> mesh,
+                                                         const Task& task) {
+    std::vector<views::View> kept;
+    const auto settings = std::ranges::find(project.objects, name, &ObjectSettings::name);
+    if (settings != project.objects.end())
+        for (const PlacedView& placed : settings->views) {
+            views::View& view = kept.emplace_back();
+            view.name = fmt::format("View {}", kept.size());
+            view.direction = glm::dvec3(placed.direction);
+            view.up = glm::dvec3(placed.up);
+            view.projection = project.views.projection;
+            view.locked = true;
+        }
+    return methods::planObject(std::move(mesh), project.views, kept, task);
+}
+
+std::shared_ptr<const methods::PaintedObject> paintObject(
+    const Project& project, std::shared_ptr<const methods::PlannedObject> planned, const Paint& paint,
+    const Task& task) {
     auto painted = std::make_shared<methods::PaintedObject>();
-    painted->planned = methods::planObject(std::move(mesh), project.views, {}, task.part(0, 0.2));
-    painted->weights = std::make_shared<const methods::ViewWeights>(*painted->planned, project.views.epsilon);
+    painted->weights = std::make_shared<const methods::ViewWeights>(*planned, project.views.epsilon);
     const auto sources = synthesis::levelSources(paint.strip, paint.separation.gradient, project.levels);
-    painted->textures = methods::synthesizeViews(*painted->planned, sources, project.viewDependent.propagate,
-                                                 task.part(0.2, 1));
+    painted->textures = methods::synthesizeViews(*planned, sources, project.viewDependent.propagate, task);
+    painted->planned = std::move(planned);
     return painted;
 }
 
@@ -81,9 +99,11 @@ WornPaints wornPaints(const Project& project, const scene::Scene& scene, const s
             Worn{&paints[std::size_t(object.sample)], nullptr, glm::inverse(object.transform)});
         if (!usesViews || !object.visible) continue;
         auto& views = painted[{object.mesh.get(), object.sample}];
-        if (!views)
-            views = paintObject(project, object.mesh, *one.paint,
-                                task.part(share * double(i), share * double(i + 1)));
+        if (!views) {
+            const Task part = task.part(share * double(i), share * double(i + 1));
+            views = paintObject(project, planObject(project, object.name, object.mesh, part.part(0, 0.2)),
+                                *one.paint, part.part(0.2, 1));
+        }
         one.views = views;
     }
     return worn;

@@ -47,10 +47,15 @@ scene::Scene makeScene(const Project& project, const std::vector<std::shared_ptr
 /// The project's camera, aimed at the scene when the project says so.
 scene::Camera cameraFor(const Project& project, const scene::Scene& scene);
 
-/// An object's views and their textures: planned, weighed and quilted. Throws Error, Cancelled.
-std::shared_ptr<const methods::PaintedObject> paintObject(const Project& project,
-                                                          std::shared_ptr<const scene::Mesh> mesh,
-                                                          const Paint& paint, const Task& task = {});
+/// The views of an object of this name: those that the artist placed, and what planning adds. Throws Error,
+/// Cancelled.
+std::shared_ptr<const methods::PlannedObject> planObject(const Project& project, const std::string& name,
+                                                         std::shared_ptr<const scene::Mesh> mesh,
+                                                         const Task& task = {});
+/// The textures of a planned object's views, weighed and quilted. Throws Error, Cancelled.
+std::shared_ptr<const methods::PaintedObject> paintObject(
+    const Project& project, std::shared_ptr<const methods::PlannedObject> planned, const Paint& paint,
+    const Task& task = {});
 
 /// What each object of the scene wears; `paints` has one entry a sample of the project. Makes the objects'
 /// own textures when the project's method uses them. Throws Error, Cancelled.

@@ -54,6 +54,9 @@ Json jsonFromSample(const Sample& sample, const fs::path& folder) {
 
 Json jsonFromObject(const ObjectSettings& object) {
     Json json{{"name", object.name}, {"sample", object.sample}, {"visible", object.visible}};
+    for (const PlacedView& view : object.views)
+        json["views"].push_back(
+            {{"direction", jsonFromVector(view.direction)}, {"up", jsonFromVector(view.up)}});
     if (object.transform == glm::mat4(1)) return json;
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row) json["transform"].push_back(tidy(object.transform[column][row]));
@@ -120,6 +123,14 @@ ObjectSettings readObject(const JsonReader& reader, std::size_t samples) {
     reader.read("sample", object.sample, 0, int(samples) - 1);
     reader.read("visible", object.visible);
     reader.read("transform", object.transform);
+    if (!reader.has("views")) return object;
+    for (const JsonReader& child : reader.children("views")) {
+        PlacedView& view = object.views.emplace_back();
+        child.read("direction", view.direction);
+        child.read("up", view.up);
+        if (glm::length(view.direction) == 0) throw child.wrong("direction", "a direction that is not zero");
+    }
+    if (object.views.size() > 64) throw reader.wrong("views", "at most 64 views");
     return object;
 }
 

@@ -26,12 +26,20 @@ struct Sample {
     friend bool operator==(const Sample&, const Sample&) = default;
 };
 
+/// A viewpoint that the artist placed on an object; planning keeps it (§4.3.1).
+struct PlacedView {
+    glm::vec3 direction{0, 0, 1};  ///< from the object towards the eye, object space, any length but zero
+    glm::vec3 up{0, 1, 0};         ///< upwards in its map
+    friend bool operator==(const PlacedView&, const PlacedView&) = default;
+};
+
 /// One object of a mesh file.
 struct ObjectSettings {
     std::string name;  ///< of the file's object that this is
     int sample = 0;    ///< index into Project::samples
     bool visible = true;
     glm::mat4 transform{1};
+    std::vector<PlacedView> views;
     friend bool operator==(const ObjectSettings&, const ObjectSettings&) = default;
 };
 
