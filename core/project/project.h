@@ -39,7 +39,7 @@ struct ObjectSettings {
     int sample = 0;    ///< index into Project::samples
     bool visible = true;
     glm::mat4 transform{1};
-    std::vector<PlacedView> views;
+    std::vector<PlacedView> views = {};  ///< placed by the artist
     friend bool operator==(const ObjectSettings&, const ObjectSettings&) = default;
 };
 
