@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 namespace chiaro::cli {
 
@@ -126,6 +127,13 @@ struct RenderCommand {
             blocks += paint.levels.report.blocks;
             error += paint.levels.report.overlapError * double(paint.levels.report.blocks);
         }
+        std::set<const methods::PaintedObject*> objects;
+        for (const project::Worn& worn : view.worn)
+            if (worn.views && objects.insert(worn.views.get()).second) {
+                const synthesis::QuiltReport& made = worn.views->textures.report;
+                blocks += made.blocks;
+                error += made.overlapError * double(made.blocks);
+            }
         const nlohmann::json json{{"method", view.project.method},
                                   {"width", gbuffer.width},
                                   {"height", gbuffer.height},

@@ -61,15 +61,27 @@ ViewMap ViewMap::of(const PlannedObject& object, std::size_t group) {
     return map;
 }
 
-ViewMapping::ViewMapping(const PlannedObject& object, std::size_t from, std::size_t to)
-    : m_surface(object.surface), m_from(object.plan.groups[from].view), m_to(object.plan.groups[to].view) {}
+bool ViewMap::covers(glm::vec2 position) const {
+    const glm::ivec2 base = glm::ivec2(glm::floor(position - 0.5f)) - origin;
+    for (const glm::ivec2 step : {glm::ivec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
+        const glm::ivec2 texel = base + step;
+        if (!covered.contains(texel.x, texel.y) || !covered(texel.x, texel.y)) return false;
+    }
+    return true;
+}
 
-std::optional<glm::vec2> ViewMapping::map(std::uint32_t face, glm::vec2 position) {
-    auto known = m_maps.find(face);
-    if (known == m_maps.end())
-        known = m_maps.emplace(face, views::triangleMap(m_surface, face, m_from, m_to)).first;
-    if (!known->second) return {};
-    return glm::vec2((*known->second)(glm::dvec2(position)));
+ViewMapping::ViewMapping(const PlannedObject& object, std::size_t from, std::size_t to) {
+    const views::FaceGroup &here = object.plan.groups[from], &there = object.plan.groups[to];
+    const views::Projector fromMap(here.view), toMap(there.view);
+    for (const std::uint32_t face : views::sharedFaces(here, there))
+        if (const auto map = views::triangleMap(object.surface, face, fromMap, toMap))
+            m_maps.emplace(face, *map);
+}
+
+std::optional<glm::vec2> ViewMapping::map(std::uint32_t face, glm::vec2 position) const {
+    const auto known = m_maps.find(face);
+    if (known == m_maps.end()) return {};
+    return glm::vec2(known->second(glm::dvec2(position)));
 }
 
 }  // namespace chiaro::methods

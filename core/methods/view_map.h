@@ -35,20 +35,20 @@ struct ViewMap {
     synthesis::PixelMask covered;     ///< not 0 where there is a face, the margin's included
 
     static ViewMap of(const PlannedObject& object, std::size_t group);
+    /// Whether there is texture all around a position in the map, to be read between texels.
+    bool covers(glm::vec2 position) const;
     glm::vec2 center(int x, int y) const { return glm::vec2(origin + glm::ivec2(x, y)) + 0.5f; }
 };
 
-/// The affine maps from one view's map to another's, worked out face by face as they are asked for.
+/// The affine maps from one view's map to another's, one for each face that both paint.
 class ViewMapping {
 public:
     ViewMapping(const PlannedObject& object, std::size_t from, std::size_t to);
-    /// Where a position in the one map lies in the other; empty where the face is edge-on.
-    std::optional<glm::vec2> map(std::uint32_t face, glm::vec2 position);
+    /// Where a position in the one map lies in the other; empty where the face isn't shared or is edge-on.
+    std::optional<glm::vec2> map(std::uint32_t face, glm::vec2 position) const;
 
 private:
-    const views::Surface& m_surface;
-    views::Projector m_from, m_to;
-    std::unordered_map<std::uint32_t, std::optional<views::AffineMap>> m_maps;
+    std::unordered_map<std::uint32_t, views::AffineMap> m_maps;
 };
 
 }  // namespace chiaro::methods

@@ -112,7 +112,6 @@ private:
             m_blocks.insert(m_blocks.end(), result.blocks.begin(), result.blocks.end());
         }
         if (m_propagate) copyBack(group, made);
-        m_mappings.clear();
     }
 
     synthesis::QuiltResult quilted(std::size_t group, std::size_t level,
@@ -145,18 +144,22 @@ private:
 
     /// Where each texel of a view is to be copied from: from the view that sees its face best among those
     /// that are done, where that one sees it well enough. Single texels follow most of their neighbours.
-    Image<std::optional<Copy>> copiesFor(std::size_t group) {
+    Image<std::optional<Copy>> copiesFor(std::size_t group) const {
         const ViewMap& map = m_maps[group];
+        std::map<std::size_t, ViewMapping> ways;
+        for (std::size_t other = 0; other < m_maps.size(); ++other)
+            if (isPainted(other, group)) ways.try_emplace(other, m_object, group, other);
         Image<std::optional<Copy>> copies(map.face.width(), map.face.height());
         Image<int> covered(map.face.width(), map.face.height()), wanted = covered;
-        for (int y = 0; y < map.face.height(); ++y)
+        tbb::parallel_for(0, map.face.height(), [&](int y) {
             for (int x = 0; x < map.face.width(); ++x) {
                 if (!map.covered(x, y)) continue;
                 covered(x, y) = 1;
                 float ratio = 0;
-                copies(x, y) = bestCopy(group, map.face(x, y), map.center(x, y), ratio);
+                copies(x, y) = bestCopy(group, map.face(x, y), map.center(x, y), ways, ratio);
                 wanted(x, y) = copies(x, y) && ratio >= goodEnough;
             }
+        });
         const int radius = std::max(m_sources.front().quilt.block / 4, 1);
         const Image<int> coveredSums = boxSums(covered, radius), wantedSums = boxSums(wanted, radius);
         for (std::size_t i = 0; i < copies.pixelCount(); ++i)
@@ -164,52 +167,51 @@ private:
         return copies;
     }
 
-    std::optional<Copy> bestCopy(std::size_t group, std::uint32_t face, glm::vec2 position, float& ratio) {
+    /// `ratio` tells how well that view sees the face in proportion to this one.
+    std::optional<Copy> bestCopy(std::size_t group, std::uint32_t face, glm::vec2 position,
+                                 const std::map<std::size_t, ViewMapping>& ways, float& ratio) const {
         const FaceGroups::Membership* best = nullptr;
         float own = 0;
         for (const FaceGroups::Membership& one : m_faceGroups.of(face)) {
             if (one.group == group)
                 own = one.facing;
-            else if (m_isDone[one.group] && (!best || one.facing > best->facing))
+            else if (ways.contains(one.group) && (!best || one.facing > best->facing))
                 best = &one;
         }
         if (!best) return {};
-        const auto there = mapping(group, best->group).map(face, position);
-        if (!there) return {};
+        const auto there = ways.at(best->group).map(face, position);
+        if (!there || !m_maps[best->group].covers(*there)) return {};
         ratio = best->facing / own;
         return Copy{best->group, *there};
     }
 
     /// Copies what was quilted anew into the views that were done before.
     void copyBack(std::size_t group, const std::vector<synthesis::QuiltResult>& made) {
-        const ViewMap& newMap = m_maps[group];
         for (std::size_t other = 0; other < m_maps.size(); ++other) {
-            if (other == group || !m_isDone[other] || m_maps[other].face.empty()) continue;
-            ViewMapping& way = mapping(other, group);
+            if (!isPainted(other, group)) continue;
+            const ViewMapping way(m_object, other, group);
             const ViewMap& map = m_maps[other];
-            for (int y = 0; y < map.face.height(); ++y)
-                for (int x = 0; x < map.face.width(); ++x) {
-                    if (!map.covered(x, y) || !isIn(map.face(x, y), group)) continue;
-                    const auto there = way.map(map.face(x, y), map.center(x, y));
-                    if (!there) continue;
-                    const glm::ivec2 texel = glm::ivec2(glm::floor(*there)) - newMap.origin;
-                    if (!newMap.face.contains(texel.x, texel.y) || !newMap.covered(texel.x, texel.y))
-                        continue;
-                    for (std::size_t level = 0; level < made.size(); ++level)
-                        if (made[level].origin(texel.x, texel.y).x >= 0)
-                            m_textures.views[other].levels[level](x, y) =
-                                packed(m_textures.views[group].at(level, *there));
-                }
+            tbb::parallel_for(0, map.face.height(), [&](int y) {
+                for (int x = 0; x < map.face.width(); ++x)
+                    if (map.covered(x, y))
+                        if (const auto there = way.map(map.face(x, y), map.center(x, y)))
+                            copyTexel(group, *there, made, m_textures.views[other], {x, y});
+            });
         }
     }
 
-    bool isIn(std::uint32_t face, std::size_t group) const {
-        return std::ranges::any_of(m_faceGroups.of(face),
-                                   [group](const auto& one) { return one.group == group; });
+    void copyTexel(std::size_t group, glm::vec2 from, const std::vector<synthesis::QuiltResult>& made,
+                   ViewTexture& into, glm::ivec2 texel) {
+        if (!m_maps[group].covers(from)) return;
+        const glm::ivec2 source = glm::ivec2(glm::floor(from)) - m_maps[group].origin;
+        for (std::size_t level = 0; level < made.size(); ++level)
+            if (made[level].origin(source.x, source.y).x >= 0)
+                into.levels[level](texel.x, texel.y) = packed(m_textures.views[group].at(level, from));
     }
 
-    ViewMapping& mapping(std::size_t from, std::size_t to) {
-        return m_mappings.try_emplace({from, to}, m_object, from, to).first->second;
+    /// Whether another view than this one is done and has texels.
+    bool isPainted(std::size_t other, std::size_t group) const {
+        return other != group && m_isDone[other] && !m_maps[other].face.empty();
     }
 
     const PlannedObject& m_object;
@@ -219,7 +221,6 @@ private:
     std::vector<synthesis::SearchTexture> m_prepared;
     std::vector<ViewMap> m_maps;
     std::vector<bool> m_isDone;
-    std::map<std::pair<std::size_t, std::size_t>, ViewMapping> m_mappings;
     std::vector<synthesis::PlacedBlock> m_blocks;
     ViewTextures m_textures;
 };
