@@ -62,8 +62,9 @@ struct AnimateCommand {
         refuseInputs(project, range);
         Stopwatch stopwatch;
         const LoadedProject loaded = loadProject(std::move(project), task.part(0, 0.1));
+        const project::TextureCache cache(project::TextureCache::standardFolder());
         const project::WornPaints worn =
-            project::wornPaints(loaded.project, loaded.scene, loaded.paints, task.part(0.1, 0.3));
+            project::wornPaints(loaded.project, loaded.scene, loaded.paints, task.part(0.1, 0.3), &cache);
         const glm::ivec2 size = picture.size();
         const project::Shot shot{loaded.project, loaded.scene, worn, way, size.x, size.y};
         const int resumed = makesVideo() ? makeVideo(shot, range, task.part(0.3, 1))

@@ -79,7 +79,8 @@ struct RenderCommand {
         const scene::RayScene rays(loaded.scene, task.part(0.5, 0.55));
         const scene::Camera camera = project::cameraFor(loaded.project, loaded.scene);
         View view{std::move(loaded.project), std::move(loaded.paints), {}, {}};
-        view.worn = project::wornPaints(view.project, loaded.scene, view.paints, task.part(0.5, 0.6));
+        const project::TextureCache cache(project::TextureCache::standardFolder());
+        view.worn = project::wornPaints(view.project, loaded.scene, view.paints, task.part(0.5, 0.6), &cache);
         seconds.synthesis += stopwatch.lap();
         const glm::ivec2 pixels = picture.size();
         view.gbuffer =

@@ -1,5 +1,6 @@
 #include "core/project/pipeline.h"
 
+#include "core/base/hash.h"
 #include "core/project/render_method.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -76,19 +77,54 @@ std::shared_ptr<const methods::PlannedObject> planObject(const Project& project,
     return methods::planObject(std::move(mesh), project.views, kept, task);
 }
 
+namespace {
+
+/// Names all that an object's textures are made from, the program that makes them included.
+std::uint64_t texturesKey(const methods::PlannedObject& planned,
+                          const std::vector<synthesis::LevelSource>& sources, bool propagate) {
+    Hasher hasher;
+    hasher.add(std::string_view(CHIARO_VERSION)).add(propagate);
+    const scene::Mesh& mesh = planned.surface.mesh();
+    hasher.add(std::span(mesh.positions)).add(std::span(mesh.triangles));
+    for (const views::FaceGroup& group : planned.plan.groups) {
+        const views::View& view = group.view;
+        for (const double value :
+             {view.direction.x, view.direction.y, view.direction.z, view.up.x, view.up.y, view.up.z,
+              view.fieldOfView, view.target.x, view.target.y, view.target.z, view.halfExtent})
+            hasher.add(value);
+        hasher.add(view.projection).add(view.size).add(std::span(group.faces));
+    }
+    for (const synthesis::LevelSource& source : sources) {
+        hasher.add(source.texture.width()).add(source.texture.pixels());
+        for (const double value : synthesis::QuiltParams::table().values(source.quilt)) hasher.add(value);
+    }
+    return hasher.value();
+}
+
+}  // namespace
+
 std::shared_ptr<const methods::PaintedObject> paintObject(
     const Project& project, std::shared_ptr<const methods::PlannedObject> planned, const Paint& paint,
-    const Task& task) {
+    const Task& task, const TextureCache* cache) {
     auto painted = std::make_shared<methods::PaintedObject>();
     painted->weights = std::make_shared<const methods::ViewWeights>(*planned, project.views.epsilon);
     const auto sources = synthesis::levelSources(paint.strip, paint.separation.gradient, project.levels);
-    painted->textures = methods::synthesizeViews(*planned, sources, project.viewDependent.propagate, task);
+    const std::uint64_t key = cache ? texturesKey(*planned, sources, project.viewDependent.propagate) : 0;
+    std::optional<methods::ViewTextures> known;
+    if (cache) known = cache->find(key);
+    if (known && known->views.size() == planned->plan.groups.size()) {
+        painted->textures = std::move(*known);
+    } else {
+        painted->textures =
+            methods::synthesizeViews(*planned, sources, project.viewDependent.propagate, task);
+        if (cache) cache->store(key, painted->textures);
+    }
     painted->planned = std::move(planned);
     return painted;
 }
 
 WornPaints wornPaints(const Project& project, const scene::Scene& scene, const std::vector<Paint>& paints,
-                      const Task& task) {
+                      const Task& task, const TextureCache* cache) {
     WornPaints worn;
     const bool usesViews = renderMethod(project.method).usesViews;
     std::map<std::pair<const scene::Mesh*, int>, std::shared_ptr<const methods::PaintedObject>> painted;
@@ -102,7 +138,7 @@ WornPaints wornPaints(const Project& project, const scene::Scene& scene, const s
         if (!views) {
             const Task part = task.part(share * double(i), share * double(i + 1));
             views = paintObject(project, planObject(project, object.name, object.mesh, part.part(0, 0.2)),
-                                *one.paint, part.part(0.2, 1));
+                                *one.paint, part.part(0.2, 1), cache);
         }
         one.views = views;
     }

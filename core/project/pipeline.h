@@ -2,6 +2,7 @@
 
 #include "core/base/task.h"
 #include "core/project/project.h"
+#include "core/project/texture_cache.h"
 #include "core/scene/gbuffer.h"
 
 #include <memory>
@@ -52,15 +53,16 @@ scene::Camera cameraFor(const Project& project, const scene::Scene& scene);
 std::shared_ptr<const methods::PlannedObject> planObject(const Project& project, const std::string& name,
                                                          std::shared_ptr<const scene::Mesh> mesh,
                                                          const Task& task = {});
-/// The textures of a planned object's views, weighed and quilted. Throws Error, Cancelled.
+/// The textures of a planned object's views: from the cache if it has them, else quilted and kept there.
+/// Throws Error, Cancelled.
 std::shared_ptr<const methods::PaintedObject> paintObject(
     const Project& project, std::shared_ptr<const methods::PlannedObject> planned, const Paint& paint,
-    const Task& task = {});
+    const Task& task = {}, const TextureCache* cache = nullptr);
 
 /// What each object of the scene wears; `paints` has one entry a sample of the project. Makes the objects'
 /// own textures when the project's method uses them. Throws Error, Cancelled.
 WornPaints wornPaints(const Project& project, const scene::Scene& scene, const std::vector<Paint>& paints,
-                      const Task& task = {});
+                      const Task& task = {}, const TextureCache* cache = nullptr);
 
 /// A picture and what it took.
 struct Rendering {
