@@ -20,9 +20,13 @@ constexpr std::size_t placeInGroup(std::size_t i, std::size_t member) {
     return (i / 2 * groupSize + member) * 2 + i % 2;
 }
 
+/// What the sums may be wrong by, of themselves.
+inline constexpr double tolerance = 5e-4;
+
 /// For each descriptor of `groups` groups, the sum of the 15 Euclidean distances to the query, in float with
-/// a relative error below 1e-6, into sums[group * groupSize + member]. Where a whole vector of descriptors is
-/// beyond the limit early, only some of the 15 may have been added up, and the sum is beyond the limit too.
+/// a relative error below `tolerance`, into sums[group * groupSize + member]. Where a whole vector of
+/// descriptors is beyond the limit early, only some of the 15 may have been added up, and the sum is beyond
+/// the limit too.
 void sumsOfDistances(const Descriptor& query, const std::uint8_t* data, std::size_t groups, float limit,
                      float* sums);
 void sumsOfDistances(const Descriptor& query, const std::uint16_t* data, std::size_t groups, float limit,

@@ -23,9 +23,9 @@ static_assert(tileSide * tileSide == groupSize);
 
 constexpr std::size_t largestSource = 16'000'000;  // pixels; the index takes 2.5 GB then
 
-/// Sums of floats are compared with a little room, so that rounding never drops a neighbour.
+/// The kernels' sums are compared with a little room, so that their error never drops a neighbour.
 float withRoom(double sum) {
-    return float(sum * (1 + 1e-5) + 1e-4);
+    return float(sum * (1 + 2 * kernels::tolerance) + 1e-4);
 }
 
 /// The best `count` candidates so far, nearest first, equally near ones in order of their place.
@@ -182,45 +182,62 @@ struct NeighbourIndex::Impl {
         }
     }
 
-    /// Tiles that may hold one of the nearest `count`, each with the least distance that it may hold.
+    /// For each tile the least distance that a member of it may have, as the kernels' sums tell it.
     template <class Count>
-    void collect(const Tiles<Count>& kind, const Descriptor& query, std::size_t count, Memory& memory) const {
-        const std::size_t tileTotal = tileCount();
-        memory.toMiddles.resize(kind.middles.size() / groupLength * groupSize);
-        kernels::sumsOfDistances(query, kind.middles.data(), memory.toMiddles.size() / groupSize,
-                                 std::numeric_limits<float>::infinity(), memory.toMiddles.data());
-        // A tile holds 16 candidates within its radius, all but those at the right and bottom.
+    void findLeast(const Tiles<Count>& kind, const Descriptor& query, std::vector<float>& least) const {
+        constexpr float shrink = float(1 - 2 * kernels::tolerance);
+        least.resize(kind.middles.size() / groupLength * groupSize);
+        kernels::sumsOfDistances(query, kind.middles.data(), least.size() / groupSize,
+                                 std::numeric_limits<float>::infinity(), least.data());
+        for (std::size_t tile = 0; tile < tileCount(); ++tile)
+            least[tile] = least[tile] * shrink - kind.radii[tile];
+    }
+
+    /// The tiles that promise most; visited first, they leave little of the others.
+    std::vector<std::uint32_t> promising(const std::vector<float>& least) const {
+        constexpr std::size_t wanted = 6;
+        std::vector<std::uint32_t> best;
+        const auto nearer = [&](std::uint32_t a, std::uint32_t b) { return least[a] < least[b]; };
         float limit = std::numeric_limits<float>::infinity();
-        if (count <= groupSize)
-            for (int row = 0; row < rows / tileSide; ++row)
-                for (int column = 0; column < columns / tileSide; ++column) {
-                    const std::size_t tile =
-                        std::size_t(row) * std::size_t(tileColumns) + std::size_t(column);
-                    limit = std::min(limit, memory.toMiddles[tile] + kind.radii[tile]);
-                }
-        limit = withRoom(limit);
-        memory.tiles.clear();
-        for (std::size_t tile = 0; tile < tileTotal; ++tile)
-            if (const float least = memory.toMiddles[tile] - kind.radii[tile]; least <= limit)
-                memory.tiles.emplace_back(least, std::uint32_t(tile));
+        for (std::uint32_t tile = 0; tile < tileCount(); ++tile) {
+            if (!(least[tile] < limit)) continue;
+            best.insert(std::ranges::upper_bound(best, tile, nearer), tile);
+            if (best.size() > wanted) best.pop_back();
+            if (best.size() == wanted) limit = least[best.back()];
+        }
+        return best;
     }
 
     template <class Count>
     std::vector<Neighbour> find(const Tiles<Count>& kind, const Descriptor& query, int count,
                                 Memory& memory) const {
-        collect(kind, query, std::size_t(count), memory);
-        // The most promising tiles first, in order; they leave little of the others.
-        constexpr std::ptrdiff_t promising = 32;
-        const auto begin = memory.tiles.begin();
-        const auto middle = begin + std::min(promising, std::ssize(memory.tiles));
-        std::ranges::nth_element(memory.tiles, middle);
-        std::sort(begin, middle);
+        std::vector<float>& least = memory.least;
+        findLeast(kind, query, least);
         Nearest nearest{std::size_t(count)};
-        for (const auto& [least, tile] : memory.tiles)
-            if (least <= limitOf(nearest.limit())) visit(kind, tile, query, nearest);
+        const auto visitOnce = [&](std::uint32_t tile) {
+            if (least[tile] <= limitOf(nearest.limit())) visit(kind, tile, query, nearest);
+            least[tile] = std::numeric_limits<float>::infinity();
+        };
+        // What resembled the query before is likely to do so again, for queries from neighbouring pixels.
+        for (const std::uint32_t tile : memory.last)
+            if (tile < tileCount()) visitOnce(tile);
+        for (const std::uint32_t tile : promising(least)) visitOnce(tile);
+        const auto currentLimit = [&] {
+            return std::min(limitOf(nearest.limit()), std::numeric_limits<float>::max());
+        };
+        float limit = currentLimit();
+        for (std::uint32_t tile = 0; tile < tileCount(); ++tile)
+            if (least[tile] <= limit) {
+                visitOnce(tile);
+                limit = currentLimit();
+            }
         std::vector<Neighbour> neighbours;
-        for (const Nearest::Candidate& candidate : nearest.found())
+        memory.last.clear();
+        for (const Nearest::Candidate& candidate : nearest.found()) {
             neighbours.push_back({glm::ivec2(candidate.x, candidate.y) + block / 2, candidate.distance});
+            memory.last.push_back(candidate.y / tileSide * std::uint32_t(tileColumns) +
+                                  candidate.x / tileSide);
+        }
         return neighbours;
     }
 

@@ -24,10 +24,10 @@ struct Neighbour {
 /// 150 dimensions nearly without structure that beats trees and projections by far.
 class NeighbourIndex {
 public:
-    /// Memory that the searches of one thread use again.
+    /// Memory that the searches of one thread use again; what it holds only makes them faster.
     struct Memory {
-        std::vector<float> toMiddles;
-        std::vector<std::pair<float, std::uint32_t>> tiles;
+        std::vector<float> least;
+        std::vector<std::uint32_t> last;
     };
 
     /// Takes about 160 bytes a pixel of the source (320 for a block of 16). Throws Error when the source is
