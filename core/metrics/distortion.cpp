@@ -127,36 +127,40 @@ ColorImage paintOf(const cv::Mat& shades) {
 }  // namespace
 
 ColorImage randomTexture(int size, std::uint64_t seed) {
-    return paintOf(noise(size, 2, Random(seed)) * 0.2 + 0.5);
+    return paintOf(noise(size, 1.8, Random(seed)) * 0.2 + 0.5);
 }
 
 ColorImage diagonalTexture(int size, std::uint64_t seed) {
-    constexpr float period = 10;  // px across a dark and a light stripe
-    const cv::Mat jitter = noise(size, 5, Random(seed));
+    constexpr float period = 9;  // px across a dark and a light stripe
+    const float root = std::numbers::sqrt2_v<float>;
+    // Stripes differ in width and strength, and their edges waver a little.
+    const cv::Mat differences = noise(2 * size, 4, Random(seed)), waver = noise(size, 4, Random(seed, 1));
     cv::Mat shades(size, size, CV_32FC1);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
-            const float across = float(x + y) / std::numbers::sqrt2_v<float> + 0.5f * jitter.at<float>(y, x);
-            shades.at<float>(y, x) = 0.5f + 0.45f * std::sin(across * 2 * std::numbers::pi_v<float> / period);
+            const float across =
+                float(x + y) / root + 1.0f * differences.at<float>(0, x + y) + 0.25f * waver.at<float>(y, x);
+            const float strength = 0.38f + 0.05f * differences.at<float>(1, x + y);
+            shades.at<float>(y, x) =
+                0.5f + strength * std::sin(across * 2 * std::numbers::pi_v<float> / period);
         }
     return paintOf(shades);
 }
 
 ColorImage symmetricTexture(int size, std::uint64_t seed) {
-    constexpr float radius = 5, edge = 1.5f;
+    constexpr float radius = 3.6f;
     Random random(seed);
-    cv::Mat shades(size, size, CV_32FC1, cv::Scalar(0.1));
-    const int count = size * size / 110;
-    for (int i = 0; i < count; ++i) {
+    // A ground that is nowhere flat, since what is flat stays so under no distortion that resamples it.
+    cv::Mat shades = noise(size, 2, Random(seed, 1)) * 0.04 + 0.25;
+    for (int i = 0; i < size * size / 60; ++i) {
         const glm::vec2 centre = glm::vec2(random.uniform(), random.uniform()) * float(size);
-        const float shade = 0.4f + 0.5f * float(random.uniform());
-        const int reach = int(radius + edge) + 1;
+        const float height = 0.3f + 0.35f * float(random.uniform());
+        const int reach = int(3 * radius);
         for (int y = std::max(int(centre.y) - reach, 0); y <= std::min(int(centre.y) + reach, size - 1); ++y)
             for (int x = std::max(int(centre.x) - reach, 0); x <= std::min(int(centre.x) + reach, size - 1);
                  ++x) {
-                const float inside = (radius - glm::distance(glm::vec2(x, y), centre)) / edge + 0.5f;
-                float& value = shades.at<float>(y, x);
-                value = glm::mix(value, shade, glm::smoothstep(0.0f, 1.0f, inside));
+                const float away = glm::distance(glm::vec2(x, y), centre) / radius;
+                shades.at<float>(y, x) += height * std::exp(-away * away * 2);
             }
     }
     return paintOf(shades);
