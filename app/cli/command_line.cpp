@@ -67,6 +67,7 @@ int run(int argc, const char* const* argv) {
     addLevelsCommand(root, session);
     addRenderCommand(root, session);
     addAnimateCommand(root, session);
+    addMeasureCommand(root, session);
     addDemoCommand(root, session);
     try {
         root.parse(argc, argv);

@@ -94,6 +94,7 @@ void addSampleCommands(CLI::App& root, Session& session);
 void addLevelsCommand(CLI::App& root, Session& session);
 void addRenderCommand(CLI::App& root, Session& session);
 void addAnimateCommand(CLI::App& root, Session& session);
+void addMeasureCommand(CLI::App& root, Session& session);
 void addDemoCommand(CLI::App& root, Session& session);
 
 }  // namespace chiaro::cli

@@ -21,11 +21,11 @@ const ParameterTable<MeasureParams>& MeasureParams::table() {
                  ParameterSpec::integer("neighbours", "Neighbours", "", 1, 16,
                                         "How many of the most similar places of the sample say which shade a "
                                         "pixel's texture is meant for."))
+            .add(&MeasureParams::seed,
+                 ParameterSpec::integer("seed", "Seed", "", 0, 0x1p53, "Seed of the pixels that are drawn."))
             .add(&MeasureParams::pixels,
                  ParameterSpec::integer("pixels", "Pixels", "", 0, 1e9,
-                                        "How many pixels are drawn by chance and measured; 0 is every one."))
-            .add(&MeasureParams::seed,
-                 ParameterSpec::integer("seed", "Seed", "", 0, 0x1p53, "Seed of the pixels that are drawn."));
+                                        "How many pixels are drawn by chance and measured; 0 is every one."));
     return table;
 }
 
