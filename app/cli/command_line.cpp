@@ -68,6 +68,7 @@ int run(int argc, const char* const* argv) {
     addRenderCommand(root, session);
     addAnimateCommand(root, session);
     addViewsCommand(root, session);
+    addMeasureCommand(root, session);
     addDemoCommand(root, session);
     try {
         root.parse(argc, argv);

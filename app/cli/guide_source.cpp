@@ -1,5 +1,6 @@
 #include "app/cli/guide_source.h"
 
+#include "app/cli/data_pictures.h"
 #include "core/base/error.h"
 #include "core/scene/guide.h"
 
@@ -11,37 +12,6 @@
 namespace chiaro::cli {
 
 namespace {
-
-constexpr int greatestId = 0xFFFF;
-
-/// Light is data, so the values count as stored, also in EXR. Colours count by their luma.
-ScalarImage lightFrom(const DecodedImage& image) {
-    ScalarImage light(image.width, image.height);
-    const auto channels = std::size_t(image.channels);
-    for (std::size_t i = 0; i < light.pixelCount(); ++i) {
-        const float* const pixel = image.values.data() + i * channels;
-        float& value = light.pixels()[i];
-        value = channels < 3 ? pixel[0] : 0.2126f * pixel[0] + 0.7152f * pixel[1] + 0.0722f * pixel[2];
-        if (channels % 2 == 0 && !(pixel[channels - 1] >= 0.5f)) value = -1;
-    }
-    return light;
-}
-
-IdImage idsFrom(const DecodedImage& image, const std::filesystem::path& path) {
-    if (image.channels > 2)
-        throw Error(path.string(), "has colours",
-                    "save the ids as 8 or 16-bit grey: 0 outside, 1.. the object");
-    IdImage ids(image.width, image.height);
-    const auto channels = std::size_t(image.channels);
-    const double scale = image.bits > 0 ? std::exp2(image.bits) - 1 : 1;
-    for (std::size_t i = 0; i < ids.pixelCount(); ++i) {
-        const double id = std::round(double(image.values[i * channels]) * scale);
-        if (!(id >= 0 && id <= greatestId))
-            throw Error(path.string(), fmt::format("has the id {:g}", id), "ids are 0..65535");
-        ids.pixels()[i] = std::uint16_t(id);
-    }
-    return ids;
-}
 
 int idFrom(const std::string& text) {
     int id = 0;
@@ -67,9 +37,9 @@ void GuideSource::addTo(CLI::App& command) {
 }
 
 scene::GBuffer GuideSource::read() const {
-    const ScalarImage light = lightFrom(readImage(m_light, {.mayBeNotFinite = true}));
+    const ScalarImage light = readLight(m_light);
     if (m_ids.empty()) return scene::gbufferFromGuide(light);
-    const IdImage ids = idsFrom(readImage(m_ids), m_ids);
+    const IdImage ids = readIds(m_ids);
     return scene::gbufferFromGuide(light, &ids);
 }
 

@@ -3,10 +3,13 @@
 namespace chiaro::cli {
 
 void SampleSource::addTo(CLI::App& command) {
-    command
-        .add_option("STRIP", m_sample.scan,
-                    "Scanned strip of paint, dark at the left: PNG, JPEG, TIFF, EXR or WebP")
-        ->required();
+    addStripTo(command, "STRIP")->required();
+    addParameterFlags(command, m_sample.gradient);
+}
+
+CLI::Option* SampleSource::addStripTo(CLI::App& command, const std::string& name) {
+    CLI::Option* strip = command.add_option(
+        name, m_sample.scan, "Scanned strip of paint, dark at the left: PNG, JPEG, TIFF, EXR or WebP");
     command.add_option_function<std::string>(
         "--crop",
         [this](const std::string& text) {
@@ -17,7 +20,7 @@ void SampleSource::addTo(CLI::App& command) {
         "fractions of "
         "width and height (default 0,0,1,0,1,1,0,1)");
     addParameterFlags(command, m_sample.strip);
-    addParameterFlags(command, m_sample.gradient);
+    return strip;
 }
 
 ColorImage SampleSource::readStrip() const {

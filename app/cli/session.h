@@ -95,6 +95,7 @@ void addLevelsCommand(CLI::App& root, Session& session);
 void addRenderCommand(CLI::App& root, Session& session);
 void addAnimateCommand(CLI::App& root, Session& session);
 void addViewsCommand(CLI::App& root, Session& session);
+void addMeasureCommand(CLI::App& root, Session& session);
 void addDemoCommand(CLI::App& root, Session& session);
 
 }  // namespace chiaro::cli

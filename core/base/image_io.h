@@ -23,6 +23,7 @@ struct ImageLimits {
     int maximumSide = 32768;                    ///< pixels
     std::uint64_t maximumPixels = 100'000'000;  ///< pixels; reading takes up to 32 bytes for each
     bool mayBeNotFinite = false;                ///< take NaN and infinities, which say "nothing here" in data
+    bool asVectors = false;  ///< take two plain values a pixel, X and Y (or R and G) of an OpenEXR file
 };
 
 /// Reads PNG, JPEG, TIFF, OpenEXR or WebP; the content decides the format, not the name. The first picture of
@@ -31,6 +32,10 @@ struct ImageLimits {
 /// damaged, truncated, or beyond the limits, and
 /// when values aren't finite where they must be. Thread-safe; the first call takes 0.3 s longer.
 DecodedImage readImage(const std::filesystem::path& path, const ImageLimits& limits = {});
+
+/// Reads two plain values a pixel, such as a displacement, as writeImage writes them; they may be NaN or
+/// infinite. Only OpenEXR. Throws what readImage throws.
+Image<glm::vec2> readVectors(const std::filesystem::path& path, ImageLimits limits = {});
 
 /// Entries written into the picture's metadata: what made it (version, command, parameters).
 using ImageMetadata = std::map<std::string, std::string>;

@@ -40,6 +40,21 @@ ChannelChoice chooseByName(const std::vector<std::string>& names) {
     return {};
 }
 
+ChannelChoice chooseVectors(const std::vector<std::string>& names) {
+    for (const auto& [first, second] : {std::pair("X", "Y"), std::pair("R", "G")}) {
+        if (const ChannelChoice pair{indexOf(names, first), indexOf(names, second)};
+            pair[0] >= 0 && pair[1] >= 0)
+            return pair;
+        for (const std::string& name : names) {
+            const std::string layer = name.substr(0, name.rfind('.') + 1);
+            if (layer.empty()) continue;
+            const ChannelChoice pair{indexOf(names, layer + first), indexOf(names, layer + second)};
+            if (pair[0] >= 0 && pair[1] >= 0) return pair;
+        }
+    }
+    return {};
+}
+
 ChannelChoice chooseByCount(int count, int alpha) {
     if (count <= 0) return {};
     ChannelChoice channels = count < 3 ? ChannelChoice{0} : ChannelChoice{0, 1, 2};

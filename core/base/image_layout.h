@@ -17,6 +17,9 @@ using ChannelChoice = std::vector<int>;
 /// R, G, B or Y, and A when there is one; else the same within the first layer that has them ("diffuse.R");
 /// else the only channel there is.
 ChannelChoice chooseByName(const std::vector<std::string>& names);
+/// X and Y, or within the first layer that has them; else R and G: two plain values. Empty when there are
+/// none.
+ChannelChoice chooseVectors(const std::vector<std::string>& names);
 /// For formats whose channels come in a fixed order; `alpha` is the index of coverage, -1 for none.
 ChannelChoice chooseByCount(int count, int alpha);
 

@@ -73,7 +73,8 @@ public:
         if (!m_limits.mayBeNotFinite && !allFinite(image.values))
             throw Error(m_path.string(), "has pixels that are not finite numbers",
                         "replace the NaN and infinite pixels and save it again");
-        const bool associated = m_spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
+        const bool associated =
+            !m_limits.asVectors && m_spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
         if (associated) unpremultiply(image);
         image.linear = m_format == ImageFormat::OpenExr;
         if (m_format == ImageFormat::OpenExr) image = withinDisplayWindow(std::move(image));
@@ -105,7 +106,20 @@ private:
                                 m_limits.maximumSide, m_limits.maximumPixels / 1'000'000));
     }
 
+    ChannelChoice chooseForVectors() const {
+        const bool isOpenExr = m_format == ImageFormat::OpenExr;
+        const ChannelChoice channels = isOpenExr ? chooseVectors(m_spec.channelnames) : ChannelChoice{};
+        if (channels.empty())
+            throw Error(m_path.string(),
+                        isOpenExr ? fmt::format("has no X and Y channels, but {}",
+                                                fmt::join(m_spec.channelnames, ", "))
+                                  : "is no OpenEXR file",
+                        "save two float channels, X and Y, as OpenEXR");
+        return channels;
+    }
+
     ChannelChoice choose() const {
+        if (m_limits.asVectors) return chooseForVectors();
         const ChannelChoice channels = m_format == ImageFormat::OpenExr
                                            ? chooseByName(m_spec.channelnames)
                                            : chooseByCount(m_spec.nchannels, m_spec.alpha_channel);

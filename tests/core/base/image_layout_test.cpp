@@ -17,6 +17,15 @@ TEST(ImageLayout, ChannelsAreFoundByName) {
     EXPECT_TRUE(chooseByName({"R", "G"}).empty());
 }
 
+TEST(ImageLayout, VectorsAreTwoPlainChannels) {
+    EXPECT_EQ(chooseVectors({"X", "Y"}), (ChannelChoice{0, 1}));
+    EXPECT_EQ(chooseVectors({"Y", "Z", "X"}), (ChannelChoice{2, 0}));
+    EXPECT_EQ(chooseVectors({"R", "motion.X", "motion.Y"}), (ChannelChoice{1, 2}));
+    EXPECT_EQ(chooseVectors({"B", "G", "R"}), (ChannelChoice{2, 1}));
+    EXPECT_TRUE(chooseVectors({"Y"}).empty());
+    EXPECT_TRUE(chooseVectors({"X", "other.Y"}).empty());
+}
+
 TEST(ImageLayout, ChannelsAreCounted) {
     EXPECT_EQ(chooseByCount(1, -1), (ChannelChoice{0}));
     EXPECT_EQ(chooseByCount(2, 1), (ChannelChoice{0, 1}));
