@@ -17,6 +17,8 @@ struct Change {
         Method,       ///< which method is shown
         ImageBased,   ///< how image-based textures are made
         Coherence,    ///< how their animations hang together
+        Views,        ///< how views are planned
+        PlacedViews,  ///< the views that the artist placed on object `index` of the mesh file
     };
     Kind kind = Kind::Everything;
     int index = 0;

@@ -104,6 +104,57 @@ void Document::editLight(int light, glm::vec3 vector) {
         lights);
 }
 
+void Document::editViews(const views::ViewParams& params) {
+    edit(
+        {Change::Kind::Views}, tr("Change View Planning"),
+        [](auto& project) -> auto& { return project.views; }, params);
+}
+
+const std::vector<project::PlacedView>& Document::placedViews(int object) const {
+    static const std::vector<project::PlacedView> none;
+    if (object < 0 || object >= int(m_objectNames.size())) return none;
+    const auto found = std::ranges::find(m_project.objects, m_objectNames[std::size_t(object)],
+                                         &project::ObjectSettings::name);
+    return found == m_project.objects.end() ? none : found->views;
+}
+
+void Document::editPlacedViews(int object, const QString& text, std::vector<project::PlacedView> views) {
+    const std::string& name = m_objectNames[std::size_t(object)];
+    std::vector<project::ObjectSettings> objects = m_project.objects;
+    auto found = std::ranges::find(objects, name, &project::ObjectSettings::name);
+    if (found == objects.end()) found = objects.insert(found, {.name = name});
+    found->views = std::move(views);
+    edit(
+        {Change::Kind::PlacedViews, object}, text, [](auto& project) -> auto& { return project.objects; },
+        objects);
+}
+
+int Document::addView(int object, const project::PlacedView& view) {
+    std::vector<project::PlacedView> views = placedViews(object);
+    views.push_back(view);
+    editPlacedViews(object, tr("Add View"), views);
+    return int(views.size()) - 1;
+}
+
+int Document::lockView(int object, const project::PlacedView& view) {
+    std::vector<project::PlacedView> views = placedViews(object);
+    views.push_back(view);
+    editPlacedViews(object, tr("Lock View"), views);
+    return int(views.size()) - 1;
+}
+
+void Document::moveView(int object, int view, const project::PlacedView& moved) {
+    std::vector<project::PlacedView> views = placedViews(object);
+    views[std::size_t(view)] = moved;
+    editPlacedViews(object, tr("Move View"), std::move(views));
+}
+
+void Document::removeView(int object, int view) {
+    std::vector<project::PlacedView> views = placedViews(object);
+    views.erase(views.begin() + view);
+    editPlacedViews(object, tr("Remove View"), std::move(views));
+}
+
 Document::Contents Document::contents() const {
     return {m_project.samples, m_project.mesh, m_project.objects, m_objectNames};
 }

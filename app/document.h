@@ -45,6 +45,16 @@ public:
     void editCoherence(const methods::CoherenceParams& params);
     void editViewAligned(const methods::ViewAlignedParams& params);
     void editLight(int light, glm::vec3 vector);
+    void editViews(const views::ViewParams& params);
+
+    /// The views that the artist placed on an object of the mesh file.
+    const std::vector<project::PlacedView>& placedViews(int object) const;
+    /// Places a view from where there was none; returns its index.
+    int addView(int object, const project::PlacedView& view);
+    /// Places a view where planning put one, so that it stays; returns its index.
+    int lockView(int object, const project::PlacedView& view);
+    void moveView(int object, int view, const project::PlacedView& moved);
+    void removeView(int object, int view);
 
     /// Adds a sample and puts it on the objects that wear `instead`, or on all when there was none. Returns
     /// its index.
@@ -86,6 +96,8 @@ private:
     /// The settings of every object of the mesh, those that the project does not name included.
     std::vector<project::ObjectSettings> allObjects() const;
     void editContents(Change::Kind kind, const QString& text, const Contents& contents);
+
+    void editPlacedViews(int object, const QString& text, std::vector<project::PlacedView> views);
 
     template <class Value, class Member>
     void edit(Change change, const QString& text, Member member, const Value& value);

@@ -125,6 +125,8 @@ void FrameTextures::applyChange(Change change) {
         case Kind::Levels:
         case Kind::ViewAligned:
         case Kind::Coherence:
+        case Kind::Views:
+        case Kind::PlacedViews:
             return;
     }
 }

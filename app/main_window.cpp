@@ -45,6 +45,7 @@ MainWindow::MainWindow()
       m_paints(m_document, m_jobs, m_memo),
       m_meshes(m_document, m_jobs, m_memo),
       m_frameTextures(m_document, m_jobs, m_memo, m_paints, m_meshes),
+      m_viewPlans(m_document, m_jobs, m_memo, m_meshes),
       m_opener(m_document, m_jobs, m_paints, m_meshes) {
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
@@ -199,6 +200,7 @@ void MainWindow::makeSampleMenu() {
     addAction(*sample, nullptr, tr("&Synthesise Again"), QKeySequence("F5"), [this] {
         m_paints.retry();
         m_frameTextures.retry();
+        m_viewPlans.retry();
     });
     connect(sample, &QMenu::aboutToShow, this, [this, edits] {
         for (QAction* action : edits) action->setEnabled(m_sampleDock->currentSample() >= 0);

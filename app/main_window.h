@@ -7,6 +7,7 @@
 #include "app/meshes.h"
 #include "app/opener.h"
 #include "app/paints.h"
+#include "app/view_plans.h"
 
 #include <QMainWindow>
 
@@ -42,6 +43,7 @@ public:
     JobRunner& jobs() { return m_jobs; }
     Paints& paints() { return m_paints; }
     FrameTextures& frameTextures() { return m_frameTextures; }
+    ViewPlans& viewPlans() { return m_viewPlans; }
     widgets::Viewport& viewport() { return *m_viewport; }
     widgets::MessageBar& messages() { return *m_messages; }
     SampleDock& sampleDock() { return *m_sampleDock; }
@@ -95,6 +97,7 @@ private:
     Paints m_paints;
     Meshes m_meshes;
     FrameTextures m_frameTextures;
+    ViewPlans m_viewPlans;
     Opener m_opener;
 
     MethodSwitch* m_methods = nullptr;

@@ -96,6 +96,8 @@ void Paints::applyChange(Change change) {
         case Change::Kind::ViewAligned:
         case Change::Kind::ImageBased:
         case Change::Kind::Coherence:
+        case Change::Kind::Views:
+        case Change::Kind::PlacedViews:
             return;
     }
 }

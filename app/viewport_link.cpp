@@ -64,6 +64,8 @@ void ViewportLink::applyChange(Change change) {
             break;
         case Kind::ImageBased:
         case Kind::Coherence:
+        case Kind::Views:
+        case Kind::PlacedViews:
         case Kind::Strip:
         case Kind::Gradient:
         case Kind::Recoloring:

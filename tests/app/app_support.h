@@ -7,6 +7,7 @@
 #include "app/meshes.h"
 #include "app/opener.h"
 #include "app/paints.h"
+#include "app/view_plans.h"
 #include "tests/support/support.h"
 
 #include <QElapsedTimer>
@@ -29,6 +30,7 @@ struct Studio {
     app::Paints paints{document, jobs, memo};
     app::Meshes meshes{document, jobs, memo};
     app::FrameTextures frameTextures{document, jobs, memo, paints, meshes};
+    app::ViewPlans viewPlans{document, jobs, memo, meshes};
     app::Opener opener{document, jobs, paints, meshes};
     std::vector<QString> errors;
 

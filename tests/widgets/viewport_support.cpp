@@ -134,7 +134,7 @@ ImageBasedReference imageBasedPicture(const scene::Scene& scene, const scene::Ca
         for (int x = 0; x < 400; ++x)
             paint.separation.texture(x, y) = levels->levels[std::size_t(x / 100)](x % 200, y);
     paint.shown = gradient;
-    const project::WornPaints worn(scene.objects.size(), &paint);
+    const project::WornPaints worn(scene.objects.size(), project::Worn{&paint});
     const scene::GBuffer gbuffer =
         scene::castGBuffer(scene::RayScene(scene), scene.lights, camera, pixels.width(), pixels.height());
     const methods::Frame frame = project::renderFrame(project, worn, gbuffer).frame;
