@@ -69,6 +69,7 @@ int run(int argc, const char* const* argv) {
     addAnimateCommand(root, session);
     addViewsCommand(root, session);
     addMeasureCommand(root, session);
+    addCompareCommand(root, session);
     addDemoCommand(root, session);
     try {
         root.parse(argc, argv);

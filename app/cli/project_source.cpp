@@ -182,13 +182,17 @@ std::vector<project::Paint> preparePaints(const project::Project& project, const
     return paints;
 }
 
-LoadedProject loadProject(project::Project project, const Task& task) {
-    LoadedProject loaded{.project = std::move(project), .scene = {}, .paints = {}};
-    const scene::Model model = scene::readModel(loaded.project.mesh, task.part(0, 0.2));
-    checkObjectNames(loaded.project, model);
+scene::Scene readScene(const project::Project& project, const Task& task) {
+    const scene::Model model = scene::readModel(project.mesh, task);
+    checkObjectNames(project, model);
     std::vector<std::shared_ptr<const scene::Mesh>> meshes;
     for (const scene::Mesh& mesh : model.meshes) meshes.push_back(std::make_shared<const scene::Mesh>(mesh));
-    loaded.scene = project::makeScene(loaded.project, meshes);
+    return project::makeScene(project, meshes);
+}
+
+LoadedProject loadProject(project::Project project, const Task& task) {
+    LoadedProject loaded{.project = std::move(project), .scene = {}, .paints = {}};
+    loaded.scene = readScene(loaded.project, task.part(0, 0.2));
     loaded.paints = preparePaints(loaded.project, task.part(0.2, 1));
     return loaded;
 }

@@ -45,6 +45,9 @@ struct LoadedProject {
 /// One paint a sample of the project, with what its method needs. Throws Error, Cancelled.
 std::vector<project::Paint> preparePaints(const project::Project& project, const Task& task);
 
+/// Reads the mesh and places its objects as the project says. Throws Error, Cancelled.
+scene::Scene readScene(const project::Project& project, const Task& task = {});
+
 /// Reads mesh and samples and makes the paints. Throws Error, Cancelled.
 LoadedProject loadProject(project::Project project, const Task& task);
 

@@ -96,6 +96,7 @@ void addRenderCommand(CLI::App& root, Session& session);
 void addAnimateCommand(CLI::App& root, Session& session);
 void addViewsCommand(CLI::App& root, Session& session);
 void addMeasureCommand(CLI::App& root, Session& session);
+void addCompareCommand(CLI::App& root, Session& session);
 void addDemoCommand(CLI::App& root, Session& session);
 
 }  // namespace chiaro::cli

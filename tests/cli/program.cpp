@@ -21,6 +21,7 @@ Outcome runProgram(const std::vector<std::string>& arguments, int interruptAfter
     argv.push_back(nullptr);
     const pid_t child = fork();
     if (child == 0) {
+        setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);  // not the user's own
         if (!freopen(out.c_str(), "w", stdout) || !freopen(error.c_str(), "w", stderr)) _exit(126);
         execv(CHIARO_PROGRAM, argv.data());
         _exit(127);

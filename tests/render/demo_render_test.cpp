@@ -34,15 +34,15 @@ ColorImage paint(const Render& render) {
     project.mesh = resource(std::string("demo/meshes/") + render.mesh);
     project.samples.emplace_back().scan = resource(std::string("demo/samples/") + render.sample);
     project.method = render.method;
-    project.levels.size = 256;
+    project.levels.size = project.views.size = 256;
     std::vector<std::shared_ptr<const scene::Mesh>> meshes;
     for (const scene::Mesh& mesh : scene::readModel(project.mesh).meshes)
         meshes.push_back(std::make_shared<const scene::Mesh>(mesh));
     const scene::Scene scene = project::makeScene(project, meshes);
     const scene::GBuffer gbuffer = scene::castGBuffer(scene::RayScene(scene), scene.lights,
                                                       project::cameraFor(project, scene), 320, 320);
-    const project::Paint made = project::preparePaint(project, 0);
-    const project::WornPaints worn(scene.objects.size(), {&made});
+    const std::vector<project::Paint> made{project::preparePaint(project, 0)};
+    const project::WornPaints worn = project::wornPaints(project, scene, made);
     return methods::over(project::renderFrame(project, worn, gbuffer).frame.picture, glm::vec3(1));
 }
 
@@ -78,7 +78,11 @@ INSTANTIATE_TEST_SUITE_P(Demo, DemoRender,
                                          Render{"skull_oil_image_based", "skull.glb", "oil.png",
                                                 "image-based"},
                                          Render{"still_life_hatching_image_based", "still_life.obj",
-                                                "hatching.png", "image-based"}),
+                                                "hatching.png", "image-based"},
+                                         Render{"skull_charcoal_view_dependent", "skull.glb", "charcoal.png",
+                                                "view-dependent"},
+                                         Render{"shell_oil_view_dependent", "shell.ply", "oil.png",
+                                                "view-dependent"}),
                          [](const auto& render) { return std::string(render.param.name); });
 
 }  // namespace

@@ -1,0 +1,173 @@
+#include "app/cli/picture_output.h"
+#include "app/cli/project_source.h"
+#include "app/cli/sheet.h"
+#include "core/base/atomic_file.h"
+#include "core/project/comparison.h"
+#include "core/project/render_method.h"
+#include "core/scene/mesh_io.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <memory>
+
+namespace chiaro::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using metrics::Estimate;
+using project::MethodMeasure;
+
+/// What the report found (its table in §5), for the same columns; it states object-space coherence in words
+/// only.
+struct Reported {
+    const char* method;
+    double similarity, shading, temporal;
+};
+constexpr std::array<Reported, 3> reported{{{"image-based", 0.07539, 0.00536, 0.00297},
+                                            {"view-aligned", 0.08048, 0.00521, 0.00016},
+                                            {"view-dependent", 0.10197, 0.00582, 0.00547}}};
+
+struct Row {
+    const char* name;
+    Estimate MethodMeasure::*measure;
+    double Reported::*reported;  ///< null where the report gives no number
+};
+constexpr std::array<Row, 5> rows{
+    {{"Texture similarity", &MethodMeasure::similarity, &Reported::similarity},
+     {"Shading, mean squared", &MethodMeasure::shadingSquared, &Reported::shading},
+     {"Shading, mean absolute", &MethodMeasure::shading, nullptr},
+     {"Temporal, image space", &MethodMeasure::temporalImage, &Reported::temporal},
+     {"Temporal, object space", &MethodMeasure::temporalObject, nullptr}}};
+
+const Reported* reportedOf(const std::string& method) {
+    const auto found = std::ranges::find(reported, method, &Reported::method);
+    return found == reported.end() ? nullptr : &*found;
+}
+
+std::string reportedText(const Row& row, const std::string& method) {
+    const Reported* const one = reportedOf(method);
+    return one && row.reported ? fmt::format("{:.5f}", one->*row.reported) : std::string();
+}
+
+std::string markdownOf(const std::vector<MethodMeasure>& table) {
+    std::string head = "| error, smaller is better |", rule = "| --- |";
+    for (const MethodMeasure& method : table) {
+        head += fmt::format(" {} | report |", project::renderMethod(method.method).label);
+        rule += " --- | --- |";
+    }
+    std::string text = head + "\n" + rule + "\n";
+    for (const Row& row : rows) {
+        text += fmt::format("| {} |", row.name);
+        for (const MethodMeasure& method : table) {
+            const Estimate& estimate = method.*row.measure;
+            text += fmt::format(" {:.5f} ± {:.5f} | {} |", estimate.mean, estimate.standardError,
+                                reportedText(row, method.method));
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+std::string csvOf(const std::vector<MethodMeasure>& table) {
+    std::string text = "measure,method,error,standard_error,pixels,report\n";
+    for (const Row& row : rows)
+        for (const MethodMeasure& method : table) {
+            const Estimate& estimate = method.*row.measure;
+            text += fmt::format("\"{}\",{},{:.7f},{:.7f},{},{}\n", row.name, method.method, estimate.mean,
+                                estimate.standardError, estimate.count, reportedText(row, method.method));
+        }
+    return text;
+}
+
+nlohmann::json jsonOf(const std::vector<MethodMeasure>& table) {
+    nlohmann::json json;
+    for (const MethodMeasure& method : table) {
+        nlohmann::json& one = json[method.method];
+        const auto add = [&one](const std::string& key, const Estimate& estimate) {
+            one[key] = estimate.mean;
+            one[key + "_se"] = estimate.standardError;
+        };
+        add("similarity", method.similarity);
+        add("shading_mae", method.shading);
+        add("shading_mse", method.shadingSquared);
+        add("temporal_image", method.temporalImage);
+        add("temporal_object", method.temporalObject);
+    }
+    return json;
+}
+
+struct CompareCommand {
+    ProjectSource source;
+    fs::path folder;
+    std::string size = "512x512";
+    int period = 48;
+    project::ComparisonParams params;
+
+    void run(Session& session) const {
+        session.start();
+        project::ComparisonParams wanted = params;
+        const glm::ivec2 pixels = sizeFrom("--size", size);
+        wanted.width = pixels.x;
+        wanted.height = pixels.y;
+        const project::Project project = source.load();
+        const scene::Scene scene = readScene(project);
+        const project::TextureCache cache(project::TextureCache::standardFolder());
+        Stopwatch stopwatch;
+        const auto table = project::compareMethods(project, scene, scene::Path::turntable(period), wanted,
+                                                   session.task("compare"), &cache);
+        const std::string markdown = markdownOf(table);
+        writeFileAtomically(folder / "table.md", markdown);
+        writeFileAtomically(folder / "table.csv", csvOf(table));
+        writePictures(project, table);
+        nlohmann::json json{{"methods", jsonOf(table)},
+                            {"frames", wanted.frames},
+                            {"seeds", wanted.seeds},
+                            {"seconds", stopwatch.lap()}};
+        session.finish(json, markdown);
+    }
+
+    /// The methods side by side, a picture a frame.
+    void writePictures(const project::Project& project, const std::vector<MethodMeasure>& table) const {
+        for (std::size_t frame = 0; frame < table.front().frames.size(); ++frame) {
+            std::vector<ColorImage> pictures;
+            nlohmann::json parameters = sceneParameters(project);
+            for (const MethodMeasure& method : table) {
+                pictures.push_back(methods::over(method.frames[frame], glm::vec3(1)));
+                parameters["methods"].push_back(method.method);
+            }
+            parameters["frame"] = frame + 1;
+            writeImage(folder / fmt::format("frame.{:04}.png", frame + 1),
+                       contactSheet(pictures, int(pictures.size()), 8),
+                       pictureMetadata("compare", parameters));
+        }
+    }
+};
+
+}  // namespace
+
+void addCompareCommand(CLI::App& root, Session& session) {
+    CLI::App* command = root.add_subcommand(
+        "compare", "Paint a turntable by every method and measure it: the report's table (§5)");
+    auto state = std::make_shared<CompareCommand>();
+    state->source.addTo(*command);
+    command
+        ->add_option("-o,--output", state->folder,
+                     "Folder for table.md, table.csv and frame.####.png, the methods side by side")
+        ->required();
+    command->add_option("--size", state->size, "WIDTHxHEIGHT of the frames (default 512x512)");
+    command->add_option("--frames", state->params.frames, "Frames that are measured (2..1000; default 8)")
+        ->check(CLI::Range(2, 1000));
+    command->add_option("--period", state->period, "Frames in which the turntable goes around (default 48)")
+        ->check(CLI::Range(1, 100000));
+    command->add_option("--seeds", state->params.seeds, "Syntheses to average over (1..100; default 5)")
+        ->check(CLI::Range(1, 100));
+    command
+        ->add_option("--pixels", state->params.measure.pixels,
+                     "Pixels measured in each frame (1..; default 100)")
+        ->check(CLI::Range(1, 1 << 24));
+    session.addCommonFlags(*command);
+    command->callback([state, &session] { state->run(session); });
+}
+
+}  // namespace chiaro::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/metrics/frame.h"
+#include "core/project/pipeline.h"
+#include "core/scene/path.h"
+
+namespace chiaro::project {
+
+/// The report's table (§5): what the methods do to one and the same animation.
+struct ComparisonParams {
+    int width = 512;  ///< of every frame, pixels
+    int height = 512;
+    int frames = 8;  ///< of the path, from its first on; at least 2
+    int seeds = 5;   ///< syntheses and draws of pixels, from the project's seed on
+    metrics::MeasureParams measure;
+};
+
+/// One column of the table.
+struct MethodMeasure {
+    std::string method;  ///< key of a RenderMethod
+    /// Means over all frames and seeds. Their errors combine the spread over pixels and that over seeds.
+    metrics::Estimate similarity, shading, shadingSquared, temporalImage, temporalObject;
+    std::vector<ColorAlphaImage> frames;  ///< of the first seed
+};
+
+/// Paints the animation by every method and measures it, each object against the sample that it wears, in
+/// its colours of now. Throws Error, Cancelled.
+std::vector<MethodMeasure> compareMethods(const Project& project, const scene::Scene& scene,
+                                          const scene::Path& path, const ComparisonParams& params,
+                                          const Task& task = {}, const TextureCache* cache = nullptr);
+
+}  // namespace chiaro::project
