@@ -8,8 +8,8 @@ namespace {
 
 constexpr int shownOverlaps = 4;
 
-QString tr(const char* text, int number = -1) {
-    return QCoreApplication::translate("ViewList", text, nullptr, number);
+QString tr(const char* text) {
+    return QCoreApplication::translate("ViewList", text);
 }
 
 QString percent(double share) {
@@ -64,7 +64,7 @@ QString ViewList::description(int view) const {
     if (!seen) return text + tr(" · to be planned");
     text += tr(" · pass %1").arg(listed.pass);
     if (seen->faces == 0) return text + tr(" · sees no face");
-    text += tr(" · %n face(s)", int(seen->faces));
+    text += seen->faces == 1 ? tr(" · 1 face") : tr(" · %L1 faces").arg(seen->faces);
     return text +
            tr("\n%1 of the area, at %2° on average").arg(percent(seen->area)).arg(seen->meanAngle, 0, 'f', 0);
 }
@@ -86,7 +86,7 @@ QString ViewList::overlaps(int view) const {
                      .arg(percent(others[std::size_t(i)].first))
                      .arg(others[std::size_t(i)].second);
     const int rest = int(others.size()) - shownOverlaps;
-    return tr("Shares ") + parts.join(", ") + (rest > 0 ? tr(", less with %n more", rest) : QString());
+    return tr("Shares ") + parts.join(", ") + (rest > 0 ? tr(", less with %1 more").arg(rest) : QString());
 }
 
 }  // namespace chiaro::app

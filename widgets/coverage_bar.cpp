@@ -41,8 +41,10 @@ void CoverageBar::setReport(const views::CoverageReport* report) {
         QStringList parts;
         parts << tr("%1 in the first pass").arg(percent(m_shares->first));
         if (further > 0)
-            parts << tr("%1 in %n more", nullptr, int(passes.size()) - 1).arg(percent(m_shares->further));
-        if (report->unreachable > 0) parts << tr("%n without area", nullptr, int(report->unreachable));
+            parts << (passes.size() == 2 ? tr("%1 in another pass")
+                                         : tr("%1 in %2 further passes").arg("%1").arg(passes.size() - 1))
+                         .arg(percent(m_shares->further));
+        if (report->unreachable > 0) parts << tr("%L1 without area").arg(report->unreachable);
         m_text = parts.join(tr(" · "));
     }
     setAccessibleDescription(m_text);

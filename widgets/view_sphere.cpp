@@ -64,7 +64,7 @@ void ViewSphere::select(int view) {
 }
 
 void ViewSphere::describe() {
-    QString text = tr("%n view(s)", nullptr, int(m_views.size()));
+    QString text = m_views.size() == 1 ? tr("1 view") : tr("%1 views").arg(m_views.size());
     if (m_selected >= 0) {
         const ViewMarker& view = m_views[std::size_t(m_selected)];
         text = (view.isPlaced ? tr("View %1 of %2, placed") : tr("View %1 of %2, planned"))
@@ -265,6 +265,7 @@ void ViewSphere::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     paintSphere(painter);
+    paintCamera(painter);
     // From far to near, the selected one last of its side.
     std::vector<int> order(m_views.size());
     std::iota(order.begin(), order.end(), 0);
@@ -275,7 +276,6 @@ void ViewSphere::paintEvent(QPaintEvent*) {
     };
     std::ranges::sort(order, {}, rank);
     for (const int view : order) paintMarker(painter, view);
-    paintCamera(painter);
 }
 
 void ViewSphere::paintSphere(QPainter& painter) const {
@@ -395,8 +395,8 @@ void ViewSphere::paintCamera(QPainter& painter) const {
     QColor color = palette().color(QPalette::BrightText);
     color.setAlpha(isNear(*m_cameraDirection) ? 200 : 70);
     painter.setPen(QPen(color, 1.4));
-    constexpr double inner = 3;
-    constexpr double outer = 8;
+    constexpr double inner = 4;
+    constexpr double outer = 15;
     for (const QPointF& arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
         painter.drawLine(at + arm * inner, at + arm * outer);
 }

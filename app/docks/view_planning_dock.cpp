@@ -19,7 +19,7 @@ using widgets::ViewSphere;
 
 namespace {
 
-constexpr int thumbnailSide = 72;
+constexpr int thumbnailSide = 68;
 constexpr int thumbnailRows = 3;
 constexpr int thumbnailGap = 4;
 
@@ -207,9 +207,8 @@ void ViewPlanningDock::showThumbnails() {
     while (m_thumbnails->count() < m_list.count()) m_thumbnails->addItem(QString());
     for (int view = 0; view < m_list.count(); ++view) {
         QListWidgetItem* item = m_thumbnails->item(view);
-        const QPixmap picture = thumbnail(view);
-        QIcon icon(picture);
-        icon.addPixmap(picture, QIcon::Selected);  // else the selection would tint the colours
+        QIcon icon(thumbnail(view, false));
+        icon.addPixmap(thumbnail(view, true), QIcon::Selected);
         item->setIcon(icon);
         item->setToolTip(m_list.description(view));
         item->setData(Qt::AccessibleTextRole, m_list.description(view));
@@ -218,7 +217,7 @@ void ViewPlanningDock::showThumbnails() {
 }
 
 /// The view's picture with its number, on the shape that it has on the sphere.
-QPixmap ViewPlanningDock::thumbnail(int view) const {
+QPixmap ViewPlanningDock::thumbnail(int view, bool isSelected) const {
     const double ratio = devicePixelRatioF();
     QPixmap pixmap(QSize(thumbnailSide, thumbnailSide) * ratio);
     pixmap.setDevicePixelRatio(ratio);
@@ -229,7 +228,11 @@ QPixmap ViewPlanningDock::thumbnail(int view) const {
     const QImage picture = m_pictures.picture(m_list.plan() ? m_list.plan()->key : 0, listed.group);
     const QRectF all(0, 0, thumbnailSide, thumbnailSide);
     if (!picture.isNull()) painter.drawImage(all.adjusted(3, 3, -3, -3), picture);
-    const QRectF badge(4, 4, 16, 16);
+    if (isSelected) {
+        painter.setPen(QPen(palette().color(QPalette::BrightText), 2));
+        painter.drawRoundedRect(all.adjusted(1, 1, -1, -1), 3, 3);
+    }
+    const QRectF badge(5, 5, 16, 16);
     painter.setPen(QPen(palette().color(QPalette::Dark), 1));
     const bool isPlaced = listed.placed >= 0;
     painter.setBrush(palette().color(isPlaced ? QPalette::Highlight : QPalette::Text));
@@ -272,7 +275,7 @@ void ViewPlanningDock::showStatus() {
     if (m_object < 0)
         m_status->setText(tr("Open a mesh to plan its views"));
     else if (isCurrent)
-        m_status->setText(tr("%n view(s)", nullptr, m_list.count()));
+        m_status->setText(m_list.count() == 1 ? tr("1 view") : tr("%1 views").arg(m_list.count()));
     else
         m_status->setText(isPlanning ? tr("Planning…") : tr("Not planned"));
 }

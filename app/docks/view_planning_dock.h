@@ -63,7 +63,7 @@ private:
     void showSelection();
     void showThumbnails();
     void showStatus();
-    QPixmap thumbnail(int view) const;
+    QPixmap thumbnail(int view, bool isSelected) const;
     void moveView(int view, const glm::dvec3& direction);
     void lock(int view);
     void remove(int view);
