@@ -40,10 +40,11 @@ void CoverageBar::setReport(const views::CoverageReport* report) {
         m_shares = Shares{double(first) / all, double(further) / all};
         QStringList parts;
         parts << tr("%1 in the first pass").arg(percent(m_shares->first));
-        if (further > 0)
-            parts << (passes.size() == 2 ? tr("%1 in another pass")
-                                         : tr("%1 in %2 further passes").arg("%1").arg(passes.size() - 1))
-                         .arg(percent(m_shares->further));
+        if (further > 0) {
+            const QString share = percent(m_shares->further);
+            parts << (passes.size() == 2 ? tr("%1 in another pass").arg(share)
+                                         : tr("%1 in %2 further passes").arg(share).arg(passes.size() - 1));
+        }
         if (report->unreachable > 0) parts << tr("%L1 without area").arg(report->unreachable);
         m_text = parts.join(tr(" · "));
     }
