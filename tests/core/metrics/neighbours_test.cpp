@@ -1,6 +1,7 @@
 #include "core/metrics/neighbours.h"
 
 #include "core/base/error.h"
+#include "core/synthesis/search_kernels.h"
 #include "tests/core/metrics/pictures.h"
 
 #include <gtest/gtest.h>
@@ -61,6 +62,27 @@ TEST(Neighbours, AreThoseOfBruteForce) {
                 }
             }
         }
+}
+
+TEST(Neighbours, AreTheSameOnEveryProcessor) {
+    const ColorImage source = test::speckled(41, 30, 1), picture = test::speckled(30, 20, 2);
+    for (const int block : {8, 12, 16}) {
+        std::vector<std::vector<Neighbour>> expected;
+        std::vector<const char*> targets = synthesis::kernels::supportedTargets();
+        targets.insert(targets.begin(), nullptr);
+        for (const char* target : targets) {
+            synthesis::kernels::onlyUseTarget(target);
+            const NeighbourIndex index(source, block);
+            const BinImage image = binned(picture, index.bins());
+            std::vector<Descriptor> queries;
+            for (int x = 8; x < 22; ++x) queries.push_back(describe(image, {{x, 9}, block}));
+            NeighbourIndex::Memory memory;
+            const auto found = index.nearest(queries, 5, memory);
+            if (!target) expected = found;
+            EXPECT_EQ(found, expected) << (target ? target : "best") << " " << block;
+        }
+        synthesis::kernels::onlyUseTarget(nullptr);
+    }
 }
 
 TEST(Neighbours, OfTheSourceAreItself) {
