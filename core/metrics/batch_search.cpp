@@ -98,7 +98,8 @@ void BatchSearch<Count>::begin(Query& query) {
     // What resembled the query before is likely to do so again.
     for (const std::uint32_t tile : m_memory.last)
         if (tile < m_grid.tileCount()) visitOnce(tile);
-    for (const std::uint32_t tile : promising(query)) visitOnce(tile);
+    if (query.toBefore > query.limit)
+        for (const std::uint32_t tile : promising(query)) visitOnce(tile);
     m_memory.last.clear();
     for (const Nearest::Candidate& candidate : query.nearest.found())
         m_memory.last.push_back(candidate.y / tileSide * std::uint32_t(m_grid.tileColumns) +
