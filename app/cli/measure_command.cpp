@@ -75,49 +75,59 @@ struct MeasureCommand {
                           {heatMap, shadingMap, matches});
     }
 
+    /// A frame's picture and what is known of it.
+    struct Input {
+        ColorImage picture;
+        std::optional<IdImage> objects;
+        std::optional<ScalarImage> light;
+
+        metrics::MeasuredFrame frame(int object) const {
+            metrics::MeasuredFrame frame;
+            frame.picture = &picture;
+            frame.objects = objects ? &*objects : nullptr;
+            frame.light = light ? &*light : nullptr;
+            frame.object = object;
+            return frame;
+        }
+    };
+
     Results measure(const Task& task) const {
         const ColorImage strip = source.readStrip();
-        const ColorImage pixels = sample::readScan(picture);
-        const std::optional<ScalarImage> lights =
-            light.empty() ? std::nullopt : std::optional(readLight(light));
-        const std::optional<IdImage> objects = maskFrom(mask, lights);
-        metrics::MeasuredFrame frame;
-        frame.picture = &pixels;
-        frame.objects = objects ? &*objects : nullptr;
-        frame.light = lights ? &*lights : nullptr;
-        frame.object = object;
+        Input input{sample::readScan(picture), {}, {}};
+        if (!light.empty()) input.light = readLight(light);
+        input.objects = maskFrom(mask, input.light);
+        std::optional<Input> after;
+        if (!next.empty())
+            after = Input{sample::readScan(next), nextMask.empty() ? input.objects : readIds(nextMask), {}};
+        const auto displacement =
+            motion.empty() ? std::nullopt : std::optional<Image<glm::vec2>>(readVectors(motion));
         const auto index = naming(
             source.path(), [&] { return metrics::NeighbourIndex(strip, params.block, task.part(0, 0.1)); });
         return naming(picture, [&] {
+            const metrics::MeasuredFrame frame = input.frame(object);
             Results results;
-            const bool drawsMaps = !heatMap.empty() || !shadingMap.empty() || !matches.empty();
-            if (drawsMaps) {
-                const metrics::FrameMaps maps =
-                    metrics::mapFrame(index, frame, params.neighbours, task.part(0.1, 0.9));
-                writeMaps(maps, strip);
-                results.frame = maps.measure;
-            }
-            if (!drawsMaps || params.pixels > 0)
-                results.frame =
-                    metrics::measureFrame(index, frame, params, task.part(drawsMaps ? 0.9 : 0.1, 1));
-            if (!next.empty()) measureNext(index.bins(), frame, results);
+            results.frame = measureOne(index, frame, strip, task.part(0.1, 1));
+            if (!after) return results;
+            results.image = metrics::imageCoherence(index.bins(), frame, after->frame(object), params);
+            if (!displacement) return results;
+            metrics::SurfaceMotion surface;
+            surface.displacement = &*displacement;
+            results.object =
+                metrics::objectCoherence(index.bins(), frame, after->frame(object), surface, params);
             return results;
         });
     }
 
-    void measureNext(const metrics::Bins& bins, const metrics::MeasuredFrame& frame, Results& results) const {
-        const ColorImage pixels = sample::readScan(next);
-        const std::optional<IdImage> objects = maskFrom(nextMask, std::nullopt);
-        metrics::MeasuredFrame after = frame;
-        after.picture = &pixels;
-        if (objects) after.objects = &*objects;
-        after.light = nullptr;
-        results.image = metrics::imageCoherence(bins, frame, after, params);
-        if (motion.empty()) return;
-        const Image<glm::vec2> displacement = readVectors(motion);
-        metrics::SurfaceMotion surface;
-        surface.displacement = &displacement;
-        results.object = metrics::objectCoherence(bins, frame, after, surface, params);
+    metrics::FrameMeasure measureOne(const metrics::NeighbourIndex& index,
+                                     const metrics::MeasuredFrame& frame, const ColorImage& strip,
+                                     const Task& task) const {
+        if (heatMap.empty() && shadingMap.empty() && matches.empty())
+            return metrics::measureFrame(index, frame, params, task);
+        const metrics::FrameMaps maps =
+            metrics::mapFrame(index, frame, params.neighbours, task.part(0, 0.99));
+        writeMaps(maps, strip);
+        return params.pixels == 0 ? maps.measure
+                                  : metrics::measureFrame(index, frame, params, task.part(0.99, 1));
     }
 
     void writeMaps(const metrics::FrameMaps& maps, const ColorImage& strip) const {

@@ -22,8 +22,8 @@ struct StudyCommand {
         session.start();
         params.seed = session.flags.seed;
         Stopwatch stopwatch;
-        std::vector<metrics::StudyTexture> textures = metrics::builtInTextures();
-        textures.push_back({source.path().stem().string(), source.readStrip()});
+        std::vector<metrics::StudyTexture> textures{{source.path().stem().string(), source.readStrip()}};
+        std::ranges::move(metrics::builtInTextures(), std::back_inserter(textures));
         const Task task = session.task("study");
         const std::vector<metrics::StudyPoint> points = metrics::runStudy(textures, params, task);
         writeFileAtomically(folder / "study.csv", metrics::studyCsv(points));
@@ -34,8 +34,7 @@ struct StudyCommand {
                                    {{"sample", source.path().filename().string()}, {"seed", params.seed}}));
         const double seconds = stopwatch.lap();
         session.finish(
-            {{"curves", points.size() == 0 ? 0 : textures.size() * params.blocks.size() * 5},
-             {"points", points.size()},
+            {{"points", points.size()},
              {"textures", textures.size()},
              {"blocks", params.blocks},
              {"seconds", seconds}},

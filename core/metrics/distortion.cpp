@@ -31,6 +31,13 @@ ColorImage clipped(const cv::Mat& image) {
     return picture;
 }
 
+/// The place in 0..length - 1 that a place beyond is the mirror image of.
+int mirrored(int place, int length) {
+    const int period = 2 * length;
+    const int within = (place % period + period) % period;
+    return within < length ? within : period - 1 - within;
+}
+
 /// One axis resized; the other keeps its length.
 cv::Mat resizedAlong(const cv::Mat& image, double factorX, double factorY) {
     const cv::Size size(std::max(int(std::lround(image.cols * factorX)), 1),
@@ -58,12 +65,11 @@ ColorImage scaled(const ColorImage& picture, double factorX, double factorY) {
             throw Error("scale", fmt::format("is {:g}", factor), "choose 0.1..10");
     const cv::Mat image = resizedAlong(resizedAlong(viewOf(picture), factorX, 1), 1, factorY);
     const int left = (image.cols - picture.width()) / 2, top = (image.rows - picture.height()) / 2;
-    ColorImage whole = clipped(image);
+    const ColorImage whole = clipped(image);
     ColorImage result(picture.width(), picture.height());
     for (int y = 0; y < result.height(); ++y)
         for (int x = 0; x < result.width(); ++x)
-            result(x, y) =
-                whole(std::clamp(x + left, 0, image.cols - 1), std::clamp(y + top, 0, image.rows - 1));
+            result(x, y) = whole(mirrored(x + left, image.cols), mirrored(y + top, image.rows));
     return result;
 }
 

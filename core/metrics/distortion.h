@@ -13,7 +13,7 @@ namespace chiaro::metrics {
 ColorImage rotated(const ColorImage& picture, double degrees);
 
 /// Enlarged (factor > 1) or shrunk about its centre; shrunk by area, enlarged by Lanczos, 1 exactly. Factors
-/// are 0.1..10. Where a shrunk picture doesn't reach, its border goes on.
+/// are 0.1..10. Where a shrunk picture doesn't reach, it is mirrored.
 ColorImage scaled(const ColorImage& picture, double factorX, double factorY);
 
 /// Quilted anew from blocks of `block` x `block` px (4..256), with boundary cuts, each block taken at random

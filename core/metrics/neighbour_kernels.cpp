@@ -1,11 +1,14 @@
 #include "core/metrics/neighbour_kernels.h"
 
+#include <limits>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/metrics/neighbour_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
+#undef CHIARO_SMALL_COUNTS
 namespace chiaro::metrics::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -68,6 +71,57 @@ HWY_INLINE hn::Vec<Sums> histogramDistance(const std::int32_t* query, const Coun
 
 #endif
 
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+
+// The squared distances of one histogram for a whole group; differences fit into 7 bits and sums into 15.
+HWY_INLINE hn::Vec256<std::int16_t> smallSquares(const std::int16_t* query, const std::uint8_t* data) {
+    __m256i sum = _mm256_setzero_si256();
+#pragma GCC unroll 5
+    for (int i = 0; i < binCount / 2; ++i) {
+        const __m256i counts = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(data + 2 * groupSize * i));
+        const __m256i away = _mm256_abs_epi8(_mm256_sub_epi8(counts, _mm256_set1_epi16(query[i])));
+        sum = _mm256_add_epi16(sum, _mm256_maddubs_epi16(away, away));
+    }
+    return hn::Vec256<std::int16_t>{sum};
+}
+
+void sumsOfSmall(const Descriptor& query, const std::uint8_t* data, std::size_t groups, float limit,
+                 float* sums) {
+    std::int16_t wanted[descriptorLength / 2];  // two counts of 8 bits each
+    for (std::size_t i = 0; i < std::size(wanted); ++i)
+        wanted[i] = std::int16_t(query[2 * i] | query[2 * i + 1] << 8);
+    const auto limits = hn::Set(floats, limit);
+    for (std::size_t group = 0; group < groups; ++group) {
+        const std::uint8_t* const counts = data + group * groupLength;
+        auto lower = hn::Zero(floats), upper = hn::Zero(floats);
+        for (int channel = 0; channel < channelCount; ++channel) {
+            const auto found =
+                smallSquares(wanted + channel * binCount / 2, counts + channel * binCount * groupSize);
+#if HWY_TARGET == HWY_AVX2
+            lower =
+                hn::Add(lower, roots(hn::ConvertTo(floats, hn::PromoteTo(squares, hn::LowerHalf(found)))));
+            upper = hn::Add(
+                upper,
+                roots(hn::ConvertTo(
+                    floats, hn::PromoteTo(squares, hn::UpperHalf(hn::Full128<std::int16_t>(), found)))));
+            const auto least = hn::Min(lower, upper);
+#else
+            lower = hn::Add(lower, roots(hn::ConvertTo(floats, hn::PromoteTo(squares, found))));
+            const auto least = lower;
+#endif
+            if (channel % 3 == 2 && hn::AllTrue(floats, hn::Gt(least, limits))) break;
+        }
+        hn::StoreU(lower, floats, sums + group * groupSize);
+        if (hn::Lanes(floats) < groupSize)
+            hn::StoreU(upper, floats, sums + group * groupSize + groupSize / 2);
+    }
+}
+
+#define CHIARO_SMALL_COUNTS 1
+#else
+#define CHIARO_SMALL_COUNTS 0
+#endif
+
 template <class Count>
 void sumsOfDistances(const Descriptor& query, const Count* data, std::size_t groups, float limit,
                      float* sums) {
@@ -89,6 +143,12 @@ void sumsOfDistances(const Descriptor& query, const Count* data, std::size_t gro
 
 void sumsOfBytes(const Descriptor& query, const std::uint8_t* data, std::size_t groups, float limit,
                  float* sums) {
+#if CHIARO_SMALL_COUNTS
+    int pixels = 0;
+    for (std::size_t i = 0; i < binCount; ++i) pixels += query[i];
+    if (2 * pixels * pixels <= std::numeric_limits<std::int16_t>::max())
+        return sumsOfSmall(query, data, groups, limit, sums);
+#endif
     sumsOfDistances(query, data, groups, limit, sums);
 }
 

@@ -4,6 +4,7 @@
 #include "core/metrics/descriptor.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace chiaro::metrics {
@@ -48,8 +49,10 @@ public:
 
     /// The `count` source pixels nearest to a descriptor of the same block size, nearest first, equally near
     /// ones in raster order; fewer when the source has fewer. Exact, and the same on every processor.
-    std::vector<Neighbour> nearest(const Descriptor& query, int count, Memory& memory) const;
     std::vector<Neighbour> nearest(const Descriptor& query, int count) const;
+    /// The same for many queries, faster when those that follow each other are alike.
+    std::vector<std::vector<Neighbour>> nearest(std::span<const Descriptor> queries, int count,
+                                                Memory& memory) const;
 
     struct Impl;
 

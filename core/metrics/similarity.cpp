@@ -11,7 +11,7 @@ namespace chiaro::metrics {
 
 namespace {
 
-constexpr std::size_t pixelsAtOnce = 16;
+constexpr std::size_t pixelsAtOnce = 16;  // two batches
 
 PixelMatch matchOf(const std::vector<Neighbour>& nearest, int sourceWidth) {
     double shade = 0;
@@ -59,12 +59,13 @@ std::vector<PixelMatch> matchPixels(const NeighbourIndex& source, const ColorIma
         all,
         [&](const tbb::blocked_range<std::size_t>& range) {
             task.checkpoint();
-            NeighbourIndex::Memory& memory = memories.local();
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                const Descriptor wanted = describe(bins, {pixels[i], source.block()});
-                matches[i] = matchOf(source.nearest(wanted, neighbours, memory), source.width());
-                if (i % pixelsAtOnce == 0) steps.done();
-            }
+            std::vector<Descriptor> wanted;
+            for (std::size_t i = range.begin(); i < range.end(); ++i)
+                wanted.push_back(describe(bins, {pixels[i], source.block()}));
+            const auto found = source.nearest(wanted, neighbours, memories.local());
+            for (std::size_t i = range.begin(); i < range.end(); ++i)
+                matches[i] = matchOf(found[i - range.begin()], source.width());
+            steps.done();
         },
         tbb::simple_partitioner());
     return matches;

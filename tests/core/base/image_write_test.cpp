@@ -123,5 +123,17 @@ TEST_F(ImageWrite, LeavesTheOldFileWhenTheFolderRefuses) {
     EXPECT_EQ(load(m_folder / "file"), "old");
 }
 
+TEST_F(ImageWrite, VectorsComeBackAsTheyWere) {
+    Image<glm::vec2> vectors(3, 2, glm::vec2(0.25f, -8));
+    vectors(1, 0) = {-3, 0};
+    vectors(2, 1) = glm::vec2(std::numeric_limits<float>::infinity(), 0.5f);
+    writeImage(m_folder / "v.exr", vectors);
+    EXPECT_EQ(readVectors(m_folder / "v.exr"), vectors);
+    writeImage(m_folder / "grey.exr", ScalarImage(3, 2, 1));
+    writeImage(m_folder / "v.png", ScalarImage(3, 2, 1));
+    EXPECT_THROW(readVectors(m_folder / "grey.exr"), Error);
+    EXPECT_THROW(readVectors(m_folder / "v.png"), Error);
+}
+
 }  // namespace
 }  // namespace chiaro
