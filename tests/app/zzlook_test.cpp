@@ -26,6 +26,9 @@ int main(int argc, char** argv) {
     QTest::qWait(300);
     dock.selectView(0);
     QTest::qWait(300);
+    window.findChild<QAction*>("view-frames")->setChecked(true);
+    window.findChild<QAction*>("later-faces")->setChecked(true);
+    QTest::qWait(500);
     window.grab().save(argv[1]);
     dock.grab().save(QString(argv[1]) + ".dock.png");
     return 0;
