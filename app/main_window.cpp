@@ -3,6 +3,7 @@
 #include "app/docks/gradient_dock.h"
 #include "app/docks/parameters_dock.h"
 #include "app/docks/sample_dock.h"
+#include "app/docks/view_planning_dock.h"
 #include "app/empty_hint.h"
 #include "app/export_dialog.h"
 #include "app/job_status.h"
@@ -22,7 +23,7 @@ namespace chiaro::app {
 namespace {
 
 constexpr std::size_t memoBytes = std::size_t(1) << 30;
-constexpr int layoutVersion = 2;  ///< of the saved arrangement of docks
+constexpr int layoutVersion = 3;  ///< of the saved arrangement of docks
 constexpr glm::vec3 viewportBackground(0.165F);
 
 const char* const projectFilter = QT_TRANSLATE_NOOP("MainWindow", "Chiaro projects (*.chiaro)");
@@ -91,7 +92,13 @@ void MainWindow::makeDocks() {
     m_gradientDock->setSample(m_sampleDock->currentSample());
     addDockWidget(Qt::LeftDockWidgetArea, m_sampleDock);
     addDockWidget(Qt::RightDockWidgetArea, m_gradientDock);
+    m_viewsDock = new ViewPlanningDock(m_document, m_jobs, m_memo, m_meshes, m_viewPlans);
     addDockWidget(Qt::LeftDockWidgetArea, m_parametersDock);
+    addDockWidget(Qt::RightDockWidgetArea, m_viewsDock);
+    tabifyDockWidget(m_gradientDock, m_viewsDock);
+    m_gradientDock->raise();
+    connect(m_viewport, &widgets::Viewport::viewChanged, m_viewsDock,
+            [this] { m_viewsDock->setCamera(m_viewport->camera()); });
 }
 
 void MainWindow::arrangeDocks() {

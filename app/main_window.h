@@ -25,6 +25,7 @@ class MethodSwitch;
 class ParametersDock;
 class RecentFiles;
 class SampleDock;
+class ViewPlanningDock;
 
 /// The studio's window: the viewport, the docks around it and the menus. It puts the parts together; each
 /// part wires itself to the document.
@@ -48,6 +49,7 @@ public:
     widgets::MessageBar& messages() { return *m_messages; }
     SampleDock& sampleDock() { return *m_sampleDock; }
     GradientDock& gradientDock() { return *m_gradientDock; }
+    ViewPlanningDock& viewPlanningDock() { return *m_viewsDock; }
     QString frameText() const;  ///< in the status bar: the method and its frame time
 
 public Q_SLOTS:
@@ -106,6 +108,7 @@ private:
     SampleDock* m_sampleDock = nullptr;
     GradientDock* m_gradientDock = nullptr;
     ParametersDock* m_parametersDock = nullptr;
+    ViewPlanningDock* m_viewsDock = nullptr;
     RecentFiles* m_recent = nullptr;
     QLabel* m_frameTime = nullptr;
     QByteArray m_standardState;

@@ -15,7 +15,6 @@ namespace chiaro::app {
 namespace {
 
 constexpr int restMilliseconds = 150;
-const char* const slot = "view plan";
 
 CoveredPlan makePlan(const project::Project& project, const std::string& name,
                      const std::shared_ptr<const scene::Mesh>& mesh, const Task& task) {

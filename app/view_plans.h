@@ -35,6 +35,9 @@ class ViewPlans : public QObject {
     Q_OBJECT
 
 public:
+    /// The jobs' slot that it plans in.
+    static constexpr const char* slot = "view plan";
+
     ViewPlans(Document& document, JobRunner& jobs, Memo& memo, Meshes& meshes, QObject* parent = nullptr);
 
     /// The method that is shown may want plans (project::RenderMethod::usesViews), and so may others, such as

@@ -3,69 +3,17 @@
 #include "core/base/error.h"
 #include "core/scene/mesh_io.h"
 #include "core/views/coverage.h"
-#include "core/views/group_map.h"
+#include "core/views/thumbnail.h"
 
 #include <spdlog/fmt/fmt.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <vector>
 
 namespace chiaro::cli {
 
 namespace {
-
-constexpr int thumbnailSide = 360;
-constexpr int samplesPerPixel = 3;  // a side
-
-/// A view's picture of its object, the faces of its group tinted.
-class Thumbnail {
-public:
-    Thumbnail(const views::Surface& surface, const views::FaceGroup& group)
-        : m_surface(surface), m_group(group), m_inGroup(surface.faceCount()) {
-        for (const std::uint32_t face : group.faces) m_inGroup[face] = 1;
-    }
-
-    ColorImage draw() const {
-        views::View view = m_group.view;
-        view.size = thumbnailSide * samplesPerPixel;
-        const views::Projector projector(view);
-        const views::FaceMap all =
-            views::drawFaces(m_surface, view, views::FaceMask(m_surface.faceCount(), 1));
-        const views::FaceMap group = views::drawFaces(m_surface, view, m_inGroup);
-        // What a further pass paints lies behind other faces: it shows through them.
-        const bool behind = m_group.pass > 1;
-        const auto coincident = float(1e-5 * m_surface.radius());
-        ColorImage picture(thumbnailSide, thumbnailSide, glm::vec3(0));
-        for (int y = 0; y < view.size; ++y)
-            for (int x = 0; x < view.size; ++x) {
-                // Of two faces that coincide, the painted one is the one to see.
-                const bool onTop = group.depth(x, y) <= all.depth(x, y) + coincident;
-                const bool painted = group.face(x, y) != views::noFace && (behind || onTop);
-                const std::uint32_t face = painted ? group.face(x, y) : all.face(x, y);
-                picture(x / samplesPerPixel, y / samplesPerPixel) += color(face, painted, behind, projector);
-            }
-        for (glm::vec3& pixel : picture.pixels()) pixel /= float(samplesPerPixel * samplesPerPixel);
-        return picture;
-    }
-
-private:
-    glm::vec3 color(std::uint32_t face, bool painted, bool behind, const views::Projector& projector) const {
-        if (face == views::noFace) return glm::vec3(1);
-        constexpr glm::vec3 tint(0.93f, 0.62f, 0.24f);
-        constexpr glm::vec3 plain(0.66f, 0.69f, 0.74f);
-        constexpr glm::vec3 faint(0.88f, 0.89f, 0.91f);
-        const double facing = std::abs(projector.facing(m_surface.centroid(face), m_surface.normal(face)));
-        const float light = 0.35f + 0.65f * float(facing);
-        return (painted ? tint : behind ? faint : plain) * (behind && !painted ? 0.8f + 0.2f * light : light);
-    }
-
-    const views::Surface& m_surface;
-    const views::FaceGroup& m_group;
-    views::FaceMask m_inGroup;
-};
 
 const char* nameOf(views::Drawn drawn) {
     switch (drawn) {
@@ -138,12 +86,7 @@ struct ViewsCommand {
     }
 
     void writeThumbnails(const views::Surface& surface, const views::ViewPlan& plan, const Task& task) const {
-        std::vector<ColorImage> pictures(plan.groups.size());
-        Task::Steps steps(task, plan.groups.size());
-        tbb::parallel_for(std::size_t(0), pictures.size(), [&](std::size_t i) {
-            pictures[i] = Thumbnail(surface, plan.groups[i]).draw();
-            steps.done();
-        });
+        const std::vector<ColorImage> pictures = views::drawThumbnails(surface, plan, {}, task);
         nlohmann::json parameters = parametersToJson(params);
         parameters["mesh"] = mesh.filename().string();
         parameters["up"] = {params.up.x, params.up.y, params.up.z};
