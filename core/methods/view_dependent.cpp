@@ -66,6 +66,7 @@ const ParameterTable<ViewDependentParams>& ViewDependentParams::table() {
 
 glm::vec3 viewDependentTexture(const ViewDependentPaint& paint, const ViewDependentParams& params,
                                std::uint32_t face, glm::vec2 barycentrics, float light) {
+    if (!paint.object) return glm::vec3(0);
     const PaintedObject& object = *paint.object;
     const glm::vec3 weights(1 - barycentrics.x - barycentrics.y, barycentrics);
     glm::vec3 sum(0);

@@ -26,7 +26,7 @@ struct PaintedObject {
 
 /// One object's paint, ready for a picture.
 struct ViewDependentPaint {
-    const PaintedObject* object = nullptr;  ///< null for an object that no picture shows
+    const PaintedObject* object = nullptr;  ///< null: G(L) alone is shown
     const gradient::Gradient* gradient = nullptr;
     glm::vec3 eye{0};  ///< of the camera, object space; only read with followCamera
 };

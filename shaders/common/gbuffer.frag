@@ -7,7 +7,10 @@ centroid in vec3 worldNormal;
 uniform vec2 objectId;  // low and high byte, each 0..255; 0 0 is nothing
 
 // Light in 16 bits and the object's id in 16 bits: what common/gbuffer_samples.glsl reads.
-out vec4 surface;
+layout(location = 0) out vec4 surface;
+#if FACES
+layout(location = 1) out vec4 face;  // the triangle's number in its mesh, four bytes, lowest first
+#endif
 
 void main() {
     // Back sides are lit with the flipped normal.
@@ -15,4 +18,8 @@ void main() {
     float light = floor(lightValue(normal) * 65535.0 + 0.5);
     float high = floor(light / 256.0);
     surface = vec4(high, light - 256.0 * high, objectId) / 255.0;
+#if FACES
+    uint number = uint(gl_PrimitiveID);
+    face = vec4(number & 255u, number >> 8 & 255u, number >> 16 & 255u, number >> 24) / 255.0;
+#endif
 }

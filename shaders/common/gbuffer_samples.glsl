@@ -6,6 +6,7 @@ uniform vec2 objectRange;  // first and last id of this pass, 1..65535; earlier 
 struct PixelSamples {
     float light;     // mean L over the samples of this pass
     int object;      // the largest id among them
+    int which;       // a sample with that id
     float coverage;  // their share among all samples but those of later passes
 };
 
@@ -15,6 +16,7 @@ bool pixelSamples(out PixelSamples pixel) {
     float count = 0.0;
     float earlier = 0.0;
     float largest = 0.0;
+    pixel.which = 0;
     float middle = 0.5 * (objectRange.x + objectRange.y);
     float reach = middle - objectRange.x + 0.5;
     for (int i = 0; i < SAMPLES; ++i) {
@@ -25,6 +27,7 @@ bool pixelSamples(out PixelSamples pixel) {
         light += mine * dot(surface.xy, vec2(255.0 * 256.0, 255.0));
         count += mine;
         earlier += object < objectRange.x - 0.5 ? 1.0 : 0.0;
+        pixel.which = mine * object > largest ? i : pixel.which;
         largest = max(largest, mine * object);
     }
     if (count == 0.0) return false;

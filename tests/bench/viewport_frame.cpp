@@ -3,9 +3,11 @@
 // ratios. A mesh file may be given.
 
 #include "core/base/random.h"
+#include "core/methods/view_map.h"
 #include "core/scene/mesh_io.h"
 #include "tests/support/support.h"
 #include "widgets/viewport/frame_drawer.h"
+#include "widgets/viewport/object_texels.h"
 
 #include <QGuiApplication>
 #include <QOffscreenSurface>
@@ -109,6 +111,28 @@ std::shared_ptr<const ViewTexture> noiseTexture(const ViewState& state) {
         texture->objects.push_back({glm::ivec2(0), std::move(texels), object.transform});
     }
     return texture;
+}
+
+/// Noise in the maps of twelve views, and of those that paint the rest, for every object.
+std::vector<std::shared_ptr<const methods::PaintedObject>> noisePainted(const scene::Scene& scene) {
+    std::vector<std::shared_ptr<const methods::PaintedObject>> objects;
+    for (const scene::Object& object : scene.objects) {
+        auto painted = std::make_shared<methods::PaintedObject>();
+        const views::ViewParams params;
+        painted->planned = methods::planObject(object.mesh, params);
+        painted->weights = std::make_shared<const methods::ViewWeights>(*painted->planned, params.epsilon);
+        Random random(3, objects.size());
+        for (std::size_t group = 0; group < painted->planned->plan.groups.size(); ++group) {
+            const methods::ViewMap map = methods::ViewMap::of(*painted->planned, group);
+            methods::ViewTexture& texture = painted->textures.views.emplace_back();
+            texture.origin = map.origin;
+            for (int level = 0; level < 8 && !map.face.empty(); ++level)
+                for (auto& texel : texture.levels.emplace_back(map.face.width(), map.face.height()).pixels())
+                    texel = methods::packed(glm::vec3(float(random.uniform()) - 0.5f));
+        }
+        objects.push_back(std::move(painted));
+    }
+    return objects;
 }
 
 ViewState makeState(const std::filesystem::path& file) {
@@ -219,6 +243,17 @@ int run(const std::filesystem::path& file) {
     bench.state.setMethod("image-based");
     bench.state.viewTexture = noiseTexture(bench.state);
     bench.measure(1, "image-based");
+    bench.state.setMethod("view-dependent");
+    bench.state.setPaintedObjects(noisePainted(bench.state.scene()));
+    bench.measure(1, "view-dependent");
+    bench.state.viewDependent.followCamera = true;
+    bench.measure(1, "following the camera");
+    for (std::size_t i = 0; i < bench.state.scene().objects.size(); ++i) {
+        const ObjectTexels texels = objectTexels(*bench.state.paintedObject(i), 2048);
+        std::printf("%s: textures of %.1f MB, %d x %d, %zu views\n",
+                    bench.state.scene().objects[i].name.c_str(), double(texels.textureBytes()) * 1e-6,
+                    texels.layout.size.x, texels.layout.size.y, texels.views.size() / 4);
+    }
     bench.painted.release(gl);
     return 0;
 }

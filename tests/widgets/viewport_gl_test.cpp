@@ -5,6 +5,7 @@
 #include "widgets/viewport/gl_support.h"
 #include "widgets/viewport/gl_view.h"
 #include "widgets/viewport/level_texels.h"
+#include "widgets/viewport/object_texels.h"
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
@@ -44,6 +45,10 @@ private Q_SLOTS:
     void drawsTheDemoMeshesAsTheCpuDoes();
     void drawsImageBasedAsTheCpuDoes_data();
     void drawsImageBasedAsTheCpuDoes();
+    void drawsViewDependentAsTheCpuDoes_data();
+    void drawsViewDependentAsTheCpuDoes();
+    void largeMapsTakePagesOrShrink();
+    void objectsWithoutTexturesShowTheGradient();
     void movesTheTextureWithItsObject();
     void fadesFromTextureToTexture();
     void silhouettesAreSmooth();
@@ -239,6 +244,124 @@ void ViewportGlTest::drawsImageBasedAsTheCpuDoes() {
     const QImage texture = m_viewport->picture();
     m_viewport->setLights({{.vector = {1, 0, 0}}});
     QVERIFY(test::meanDifference(texture, m_viewport->picture(), inside) < 0.05);
+}
+
+void ViewportGlTest::drawsViewDependentAsTheCpuDoes_data() {
+    using views::Projection;
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<Projection>("projection");
+    QTest::addColumn<bool>("followCamera");
+    QTest::addColumn<methods::Blend>("blend");
+    const auto linear = methods::Blend::Linear;
+    QTest::newRow("two spheres") << "" << Projection::Orthographic << false << linear;
+    QTest::newRow("perspective maps") << "" << Projection::Perspective << false << linear;
+    QTest::newRow("following the camera") << "" << Projection::Orthographic << true << linear;
+    QTest::newRow("preserving") << "" << Projection::Perspective << true << methods::Blend::Preserving;
+    QTest::newRow("square") << "square" << Projection::Perspective << false << linear;
+    QTest::newRow("mirrored square") << "mirrored" << Projection::Orthographic << false << linear;
+    QTest::newRow("still life") << "still_life.obj" << Projection::Orthographic << false << linear;
+    QTest::newRow("shell") << "shell.ply" << Projection::Orthographic << false << linear;
+}
+
+void ViewportGlTest::drawsViewDependentAsTheCpuDoes() {
+    QFETCH(QString, file);
+    QFETCH(views::Projection, projection);
+    QFETCH(bool, followCamera);
+    QFETCH(methods::Blend, blend);
+    const bool flat = file == "square" || file == "mirrored";
+    scene::Scene scene = test::sceneOf(flat ? test::squareMesh() : test::sphereMesh());
+    if (file == "mirrored") scene.objects[0].transform[2][2] = -1;
+    if (file.isEmpty()) {
+        scene.objects.push_back(test::sceneOf(test::sphereMesh(24), "second").objects[0]);
+        scene.objects[1].transform = glm::scale(glm::mat4(1), glm::vec3(0.5f, 0.7f, 0.6f));
+        scene.objects[1].transform[3] = {0.7f, 0.5f, 0.8f, 1};
+    }
+    if (file.contains('.')) scene = demoScene(file);
+    views::ViewParams views;
+    views.count = 8;
+    views.size = 160;
+    views.projection = projection;
+    std::vector<std::shared_ptr<const methods::PaintedObject>> painted;
+    for (const scene::Object& object : scene.objects)
+        painted.push_back(test::paintedObject(object.mesh, views));
+    methods::ViewDependentParams params;
+    params.followCamera = followCamera;
+    params.blend = blend;
+    m_viewport->resize(640, 480);
+    m_viewport->setMethod("view-dependent");
+    m_viewport->setViewDependent(params);
+    scene::Camera camera;
+    camera.azimuth = 25;
+    camera.elevation = 20;
+    m_viewport->setCamera(camera);
+    show(scene);
+    m_viewport->frameAll();
+    const QImage untextured = m_viewport->picture();
+    m_viewport->setPaintedObjects(painted);
+    const QImage drawn = m_viewport->picture();
+    const test::Reference reference = test::viewDependentPicture(
+        scene, m_viewport->camera(), painted, m_paints[0].gradient, params, background, drawn.size());
+    test::keepPicture(drawn, QString("view_dependent_%1_gl").arg(QTest::currentDataTag()));
+    test::keepPicture(reference.picture, QString("view_dependent_%1_cpu").arg(QTest::currentDataTag()));
+    const auto inside = [&](int x, int y) { return reference.inside(x, y) != 0; };
+    const double difference = test::meanDifference(drawn, reference.picture, inside);
+    qInfo("difference from the CPU's picture: %.3f/255 inside the objects, %.3f/255 over all", difference,
+          test::meanDifference(drawn, reference.picture));
+    QVERIFY(difference < 2);
+    QVERIFY(test::meanDifference(untextured, reference.picture, inside) > 3);
+}
+
+void ViewportGlTest::largeMapsTakePagesOrShrink() {
+    views::ViewParams views;
+    views.count = 6;
+    views.size = 128;
+    const auto mesh = test::sceneOf(test::sphereMesh(24)).objects[0].mesh;
+    const auto painted = test::paintedObject(mesh, views);
+    const ObjectTexels whole = objectTexels(*painted, 2048);
+    QCOMPARE(whole.layout.pageCount, 1);
+    QCOMPARE(whole.layout.levelCount, 8);
+    QCOMPARE(whole.corners.size(), 3 * mesh->triangles.size());
+    // A side that holds at most four maps a page.
+    const ObjectTexels paged = objectTexels(*painted, 270);
+    QVERIFY(paged.layout.pageCount > 1);
+    QCOMPARE(paged.layout.size.z, 8 * paged.layout.pageCount);
+    QCOMPARE(paged.views[3].w * float(paged.layout.pageCount),
+             std::round(paged.views[3].w * float(paged.layout.pageCount)));
+    QVERIFY(paged.layout.size.x <= 270 && paged.layout.size.y <= 270);
+    const ObjectTexels small = objectTexels(*painted, 2048, whole.textureBytes() / 3);
+    QVERIFY(small.textureBytes() <= whole.textureBytes() / 3);
+    QVERIFY(small.textureBytes() > whole.textureBytes() / 6);
+    // The middle of a map is the same place of the object in all of them.
+    const auto coordinates = [](const ObjectTexels& texels, std::size_t view, glm::vec3 point) {
+        return glm::vec2(
+            glm::dot(texels.views[view * 4], glm::vec4(point, 1)) * float(texels.layout.size.x),
+            glm::dot(texels.views[view * 4 + 1], glm::vec4(point, 1)) * float(texels.layout.size.y));
+    };
+    for (std::size_t view = 0; view < 6; ++view) {
+        const glm::vec2 texel = coordinates(whole, view, {0.3f, 0.2f, 0.1f}) - coordinates(whole, view, {});
+        const glm::vec2 half = coordinates(small, view, {0.3f, 0.2f, 0.1f}) - coordinates(small, view, {});
+        QVERIFY(glm::length(texel - 2.0f * half) < 1e-3f);
+    }
+}
+
+void ViewportGlTest::objectsWithoutTexturesShowTheGradient() {
+    const scene::Scene scene = test::sceneOf(test::sphereMesh());
+    show(scene);
+    m_viewport->setPaint(0, {nullptr, m_paints[0].gradient});
+    const QImage gradientOnly = m_viewport->picture();
+    m_viewport->setMethod("view-dependent");
+    QVERIFY(test::meanDifference(m_viewport->picture(), gradientOnly) < 0.01);
+    // Textures of another mesh are not shown.
+    views::ViewParams views;
+    views.count = 3;
+    views.size = 64;
+    const auto other = std::make_shared<const scene::Mesh>(test::sphereMesh(16));
+    m_viewport->setPaintedObjects({test::paintedObject(other, views)});
+    QVERIFY(test::meanDifference(m_viewport->picture(), gradientOnly) < 0.01);
+    m_viewport->setPaintedObjects({test::paintedObject(scene.objects[0].mesh, views)});
+    QVERIFY(test::meanDifference(m_viewport->picture(), gradientOnly) > 1);
+    m_viewport->setPaintedObjects({});
+    QVERIFY(test::meanDifference(m_viewport->picture(), gradientOnly) < 0.01);
 }
 
 void ViewportGlTest::movesTheTextureWithItsObject() {

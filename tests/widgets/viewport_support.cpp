@@ -2,6 +2,7 @@
 
 #include "core/base/random.h"
 #include "core/methods/view_aligned.h"
+#include "core/methods/view_map.h"
 #include "core/project/pipeline.h"
 #include "core/scene/gbuffer.h"
 
@@ -149,6 +150,45 @@ ImageBasedReference imageBasedPicture(const scene::Scene& scene, const scene::Ca
     result.texture = std::make_shared<const widgets::ViewTexture>(
         widgets::viewTexture(made, scene, camera, pixels.width(), pixels.height()));
     return result;
+}
+
+std::shared_ptr<const methods::PaintedObject> paintedObject(const std::shared_ptr<const scene::Mesh>& mesh,
+                                                            const views::ViewParams& params) {
+    auto painted = std::make_shared<methods::PaintedObject>();
+    painted->planned = methods::planObject(mesh, params);
+    painted->weights = std::make_shared<const methods::ViewWeights>(*painted->planned, params.epsilon);
+    const auto levels = generatedLevels(8, 64);
+    for (std::size_t group = 0; group < painted->planned->plan.groups.size(); ++group) {
+        const methods::ViewMap map = methods::ViewMap::of(*painted->planned, group);
+        methods::ViewTexture& texture = painted->textures.views.emplace_back();
+        texture.origin = map.origin;
+        if (map.face.empty()) continue;
+        for (const ColorImage& level : levels->levels) {
+            auto& texels = texture.levels.emplace_back(map.face.width(), map.face.height());
+            for (int y = 0; y < texels.height(); ++y)
+                for (int x = 0; x < texels.width(); ++x)
+                    texels(x, y) = methods::packed(level((x + 17 * int(group)) % 64, (y * 3 / 2) % 64));
+        }
+    }
+    return painted;
+}
+
+Reference viewDependentPicture(const scene::Scene& scene, const scene::Camera& camera,
+                               const std::vector<std::shared_ptr<const methods::PaintedObject>>& painted,
+                               const gradient::Gradient& gradient, const methods::ViewDependentParams& params,
+                               glm::vec3 background, QSize pixels) {
+    const scene::GBuffer gbuffer =
+        scene::castGBuffer(scene::RayScene(scene), scene.lights, camera, pixels.width(), pixels.height());
+    std::vector<methods::ViewDependentPaint> paints;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        paints.push_back({painted[i].get(), &gradient,
+                          glm::vec3(glm::inverse(scene.objects[i].transform) * glm::vec4(gbuffer.eye, 1))});
+    const methods::Frame frame = methods::renderViewDependent(gbuffer, paints, params);
+    Reference reference{toQImage(methods::over(frame.picture, background)),
+                        Image<std::uint8_t>(pixels.width(), pixels.height(), 0)};
+    for (int y = 0; y < pixels.height(); ++y)
+        for (int x = 0; x < pixels.width(); ++x) reference.inside(x, y) = frame.picture(x, y).a == 1;
+    return reference;
 }
 
 QImage toQImage(const ColorImage& picture) {

@@ -41,6 +41,16 @@ struct ImageBasedReference {
 ImageBasedReference imageBasedPicture(const scene::Scene& scene, const scene::Camera& camera,
                                       const gradient::Gradient& gradient, glm::vec3 background, QSize pixels);
 
+/// An object with small textures of its own views that look different from view to view; not quilted, so
+/// quick to make.
+std::shared_ptr<const methods::PaintedObject> paintedObject(const std::shared_ptr<const scene::Mesh>& mesh,
+                                                            const views::ViewParams& params);
+/// What core's renderer makes of a state by the view-dependent method.
+Reference viewDependentPicture(const scene::Scene& scene, const scene::Camera& camera,
+                               const std::vector<std::shared_ptr<const methods::PaintedObject>>& painted,
+                               const gradient::Gradient& gradient, const methods::ViewDependentParams& params,
+                               glm::vec3 background, QSize pixels);
+
 /// A core picture as the viewport would give it.
 QImage toQImage(const ColorImage& picture);
 

@@ -43,12 +43,14 @@ struct CpuView::Job {
     Rays rays;  ///< null: to be built
     scene::Scene scene;
     scene::Camera camera;
-    std::vector<ViewportPaint> paints;  ///< one an object
+    std::vector<ViewportPaint> paints{};  ///< one an object
     std::vector<methods::TexturePlacement> placements;
     std::string method;
     methods::ViewAlignedParams params;
     std::shared_ptr<const ViewTexture> viewTexture;
-    std::vector<methods::TexturePlacement> motions;  ///< of the view texture
+    std::vector<methods::TexturePlacement> motions{};                      ///< of the view texture
+    std::vector<std::shared_ptr<const methods::PaintedObject>> painted{};  ///< one an object
+    methods::ViewDependentParams viewDependent;
     glm::vec3 background{0};
     QSize pixels;
     std::stop_token stopFine;
@@ -79,6 +81,24 @@ methods::TextureLookup CpuView::viewTextureLookup(const Job& job, int coarseness
         const glm::vec2 position = (glm::vec2(x, y) + 0.5f) * float(coarseness);
         return job.viewTexture->difference(object - 1u, (position - motion.offset) / motion.zoom);
     };
+}
+
+methods::Frame CpuView::shaded(const Job& job, const scene::GBuffer& gbuffer, int coarseness,
+                               const Task& task) {
+    if (job.method == "view-dependent") {
+        std::vector<methods::ViewDependentPaint> paints;
+        for (std::size_t i = 0; i < job.paints.size(); ++i) {
+            const glm::mat4 worldToObject = glm::inverse(job.scene.objects[i].transform);
+            paints.push_back({job.painted[i].get(), &job.paints[i].gradient,
+                              glm::vec3(worldToObject * glm::vec4(gbuffer.eye, 1))});
+        }
+        return methods::renderViewDependent(gbuffer, paints, job.viewDependent, task);
+    }
+    std::vector<const gradient::Gradient*> gradients;
+    for (const ViewportPaint& paint : job.paints) gradients.push_back(&paint.gradient);
+    const methods::TextureLookup texture =
+        job.method == "image-based" ? viewTextureLookup(job, coarseness) : levelLookup(job, coarseness);
+    return methods::shade(gbuffer, gradients, texture, task);
 }
 
 CpuView::CpuView(ViewState& state, QWidget* parent) : QWidget(parent), m_state(state) {
@@ -112,11 +132,22 @@ CpuView::Job CpuView::jobOfNow() {
     m_raysScene = m_state.scene();
     m_stopFine = {};
     m_stopAll = {};
-    Job job{m_rays,           m_state.scene(),        m_state.camera,       {}, m_state.placements(),
-            m_state.method(), m_state.params,         m_state.viewTexture,  {}, m_state.background,
-            pixels,           m_stopFine.get_token(), m_stopAll.get_token()};
+    Job job{.rays = m_rays,
+            .scene = m_state.scene(),
+            .camera = m_state.camera,
+            .placements = m_state.placements(),
+            .method = m_state.method(),
+            .params = m_state.params,
+            .viewTexture = m_state.viewTexture,
+            .viewDependent = m_state.viewDependent,
+            .background = m_state.background,
+            .pixels = pixels,
+            .stopFine = m_stopFine.get_token(),
+            .stopAll = m_stopAll.get_token()};
     if (job.viewTexture) job.motions = m_state.textureMotions(*job.viewTexture, pixels);
     for (const scene::Object& object : job.scene.objects) job.paints.push_back(m_state.paint(object.sample));
+    for (std::size_t i = 0; i < job.scene.objects.size(); ++i)
+        job.painted.push_back(m_state.paintedObject(i));
     return job;
 }
 
@@ -134,11 +165,7 @@ CpuView::Result CpuView::rendered(const Job& job, const Rays& rays, int coarsene
                      std::max(1, job.pixels.height() / coarseness));
     const scene::GBuffer gbuffer =
         scene::castGBuffer(*rays, job.scene.lights, job.camera, size.width(), size.height(), task);
-    std::vector<const gradient::Gradient*> gradients;
-    for (const ViewportPaint& paint : job.paints) gradients.push_back(&paint.gradient);
-    const methods::TextureLookup texture =
-        job.method == "image-based" ? viewTextureLookup(job, coarseness) : levelLookup(job, coarseness);
-    const methods::Frame frame = methods::shade(gbuffer, gradients, texture, task);
+    const methods::Frame frame = shaded(job, gbuffer, coarseness, task);
     const QImage image = toQImage(methods::over(frame.picture, job.background));
     return {rays, image, double(timer.nsecsElapsed()) * 1e-6, coarseness == 1};
 }

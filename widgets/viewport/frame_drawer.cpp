@@ -2,6 +2,7 @@
 
 #include "widgets/viewport/image_based_drawer.h"
 #include "widgets/viewport/view_aligned_drawer.h"
+#include "widgets/viewport/view_dependent_drawer.h"
 
 #include <algorithm>
 
@@ -9,6 +10,7 @@ namespace chiaro::widgets {
 
 FrameDrawer::FrameDrawer() {
     m_methods["image-based"] = std::make_unique<ImageBasedDrawer>();
+    m_methods["view-dependent"] = std::make_unique<ViewDependentDrawer>();
     m_methods["view-aligned"] = std::make_unique<ViewAlignedDrawer>();
 }
 
@@ -56,6 +58,7 @@ void FrameDrawer::shade(Gl& gl, MethodDrawer& method, std::size_t pass, int samp
     gl.glActiveTexture(GL_TEXTURE0 + MethodDrawer::GradientUnit);
     gl.glBindTexture(GL_TEXTURE_1D, paint.gradient);
     program->setUniformValue("surfaces", MethodDrawer::SurfaceUnit);
+    if (method.usesFaces()) program->setUniformValue("faces", MethodDrawer::FaceUnit);
     program->setUniformValue("gradient", MethodDrawer::GradientUnit);
     program->setUniformValue("gradientSpan", paint.gradientSpan);
     program->setUniformValue("objectRange", QVector2D(float(area.firstId), float(area.lastId)));
@@ -67,11 +70,12 @@ void FrameDrawer::shade(Gl& gl, MethodDrawer& method, std::size_t pass, int samp
 bool FrameDrawer::draw(Gl& gl, const ViewState& state, QSize pixels, GLuint target,
                        GlPaints::Pending pending) {
     MethodDrawer& method = *m_methods.at(state.method());
-    const bool complete = m_paints.sync(gl, state, method.usesLevels(), pending);
+    bool complete = m_paints.sync(gl, state, method.usesLevels(), pending);
+    complete &= method.sync(gl, state, pending);
     const std::vector<MethodDrawer::Pass> passes = method.prepare(gl, state, m_paints, pixels);
     std::vector<std::size_t> order;
     for (const MethodDrawer::Pass& pass : passes) order.insert(order.end(), pass.begin(), pass.end());
-    const std::vector<QRect> covered = m_gbuffer.draw(gl, state, order, pixels);
+    const std::vector<QRect> covered = m_gbuffer.draw(gl, state, order, pixels, method.usesFaces());
 
     clear(gl, state, pixels, target);
     gl.glEnable(GL_SCISSOR_TEST);
@@ -80,6 +84,8 @@ bool FrameDrawer::draw(Gl& gl, const ViewState& state, QSize pixels, GLuint targ
     gl.glBindVertexArray(m_noAttributes);
     gl.glActiveTexture(GL_TEXTURE0 + MethodDrawer::SurfaceUnit);
     gl.glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, m_gbuffer.texture());
+    gl.glActiveTexture(GL_TEXTURE0 + MethodDrawer::FaceUnit);
+    gl.glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, method.usesFaces() ? m_gbuffer.faces() : 0);
     std::size_t first = 0;
     for (std::size_t pass = 0; pass < passes.size(); ++pass) {
         const std::size_t end = first + passes[pass].size();

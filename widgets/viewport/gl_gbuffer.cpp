@@ -33,12 +33,14 @@ void drawObject(Gl& gl, QOpenGLShaderProgram& program, const GlMeshes::Buffers& 
 bool GlGBuffer::initialize(Gl& gl) {
     gl.glGetIntegerv(GL_MAX_SAMPLES, &m_samples);
     m_samples = std::min(m_samples, 8);
-    return programFor(0) && allocate(gl, {16, 16});
+    return programFor({}) && allocate(gl, {16, 16});
 }
 
 bool GlGBuffer::allocate(Gl& gl, QSize pixels) {
     gl.glDeleteFramebuffers(1, &m_framebuffer);
     gl.glDeleteTextures(1, &m_surfaces);
+    gl.glDeleteTextures(1, &m_faces);
+    m_faces = 0;
     gl.glDeleteRenderbuffers(1, &m_depth);
     gl.glGenTextures(1, &m_surfaces);
     gl.glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, m_surfaces);
@@ -58,11 +60,19 @@ bool GlGBuffer::allocate(Gl& gl, QSize pixels) {
     return status == GL_FRAMEBUFFER_COMPLETE;
 }
 
-QOpenGLShaderProgram* GlGBuffer::programFor(int hardLights) {
-    const auto [entry, isNew] = m_programs.try_emplace(hardLights);
+void GlGBuffer::allocateFaces(Gl& gl) {
+    gl.glGenTextures(1, &m_faces);
+    gl.glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, m_faces);
+    gl.glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, m_samples, GL_RGBA8, m_size.width(),
+                               m_size.height(), GL_TRUE);
+    gl.glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D_MULTISAMPLE, m_faces, 0);
+}
+
+QOpenGLShaderProgram* GlGBuffer::programFor(const Variant& variant) {
+    const auto [entry, isNew] = m_programs.try_emplace(variant);
     if (isNew)
-        entry->second =
-            makeProgram("common/gbuffer.vert", "common/gbuffer.frag", {{"HARD_LIGHTS", hardLights}});
+        entry->second = makeProgram("common/gbuffer.vert", "common/gbuffer.frag",
+                                    {{"HARD_LIGHTS", variant.hardLights}, {"FACES", variant.withFaces}});
     return entry->second.get();
 }
 
@@ -81,11 +91,14 @@ void GlGBuffer::setLights(QOpenGLShaderProgram& program, const std::vector<scene
 }
 
 std::vector<QRect> GlGBuffer::draw(Gl& gl, const ViewState& state, std::span<const std::size_t> objects,
-                                   QSize pixels) {
+                                   QSize pixels, bool withFaces) {
     const scene::Scene& scene = state.scene();
     m_meshes.sync(gl, scene);
     if (m_size != pixels) allocate(gl, pixels);
     gl.glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+    if (withFaces && m_faces == 0) allocateFaces(gl);
+    static constexpr std::array<GLenum, 2> targets{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    gl.glDrawBuffers(withFaces ? 2 : 1, targets.data());
     gl.glViewport(0, 0, pixels.width(), pixels.height());
     gl.glDisable(GL_BLEND);
     gl.glDisable(GL_CULL_FACE);
@@ -94,7 +107,7 @@ std::vector<QRect> GlGBuffer::draw(Gl& gl, const ViewState& state, std::span<con
     gl.glDepthMask(GL_TRUE);
     gl.glClearColor(0, 0, 0, 0);
     gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    QOpenGLShaderProgram* program = programFor(hardLightsOf(scene.lights));
+    QOpenGLShaderProgram* program = programFor({hardLightsOf(scene.lights), withFaces});
     if (!program) return std::vector<QRect>(objects.size());
     program->bind();
     setLights(*program, scene.lights);
@@ -118,8 +131,9 @@ void GlGBuffer::release(Gl& gl) {
     m_meshes.release(gl);
     gl.glDeleteFramebuffers(1, &m_framebuffer);
     gl.glDeleteTextures(1, &m_surfaces);
+    gl.glDeleteTextures(1, &m_faces);
     gl.glDeleteRenderbuffers(1, &m_depth);
-    m_framebuffer = m_surfaces = m_depth = 0;
+    m_framebuffer = m_surfaces = m_faces = m_depth = 0;
     m_size = {};
 }
 

@@ -18,25 +18,37 @@ public:
     /// False when the driver refuses it; why is in the log.
     bool initialize(Gl& gl);
     /// Draws these objects of the scene, by index, in their order: the first has id 1. Leaves its framebuffer
-    /// bound. Returns the pixels (y down) that each can cover.
+    /// bound. Returns the pixels (y down) that each can cover. With `withFaces` tells the samples' faces as
+    /// well.
     std::vector<QRect> draw(Gl& gl, const ViewState& state, std::span<const std::size_t> objects,
-                            QSize pixels);
+                            QSize pixels, bool withFaces);
     /// The GL_TEXTURE_2D_MULTISAMPLE that shaders/common/gbuffer_samples.glsl reads.
     GLuint texture() const { return m_surfaces; }
+    /// The GL_TEXTURE_2D_MULTISAMPLE of each sample's triangle, as numbered in its mesh: four bytes, the
+    /// lowest first; undefined where there is none. 0 until it was wanted.
+    GLuint faces() const { return m_faces; }
     int samples() const { return m_samples; }
     void release(Gl& gl);
 
 private:
+    /// What the shader is compiled for.
+    struct Variant {
+        int hardLights = 0;
+        bool withFaces = false;
+        auto operator<=>(const Variant&) const = default;
+    };
     bool allocate(Gl& gl, QSize pixels);
-    QOpenGLShaderProgram* programFor(int hardLights);
+    void allocateFaces(Gl& gl);
+    QOpenGLShaderProgram* programFor(const Variant& variant);
     void setLights(QOpenGLShaderProgram& program, const std::vector<scene::Light>& lights);
 
-    std::map<int, std::unique_ptr<QOpenGLShaderProgram>> m_programs;  ///< by the number of hard lights
+    std::map<Variant, std::unique_ptr<QOpenGLShaderProgram>> m_programs;
     GlMeshes m_meshes;
     int m_samples = 0;
     QSize m_size;
     GLuint m_framebuffer = 0;
     GLuint m_surfaces = 0;
+    GLuint m_faces = 0;
     GLuint m_depth = 0;
 };
 

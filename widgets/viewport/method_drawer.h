@@ -21,15 +21,21 @@ public:
     virtual void release(Gl& gl) = 0;
     /// Whether the paints' level stacks are needed.
     virtual bool usesLevels() const = 0;
-    /// Uploads what changed, and divides the objects that are drawn among passes over the picture.
+    /// Whether the G-buffer is to tell faces.
+    virtual bool usesFaces() const { return false; }
+    /// Begins and goes on with uploads that take longer than a frame. False while they are on their way: call
+    /// it again soon.
+    virtual bool sync(Gl&, const ViewState&, GlPaints::Pending) { return true; }
+    /// Uploads what else changed, and divides the objects that are drawn among passes over the picture.
     virtual std::vector<Pass> prepare(Gl& gl, const ViewState& state, const GlPaints& paints,
                                       QSize pixels) = 0;
     /// Binds the textures of a pass that prepare() gave and returns the bound program, whose uniforms
-    /// `surfaces`, `gradient`, `gradientSpan` and `objectRange` the caller sets; null when there is none.
+    /// `surfaces`, `faces`, `gradient`, `gradientSpan` and `objectRange` the caller sets; null when there is
+    /// none.
     virtual QOpenGLShaderProgram* bind(Gl& gl, std::size_t pass, const GlPaints& paints) = 0;
 
     /// Texture units that the caller binds; a method's own begin at FirstOwnUnit.
-    enum TextureUnit { SurfaceUnit, GradientUnit, FirstOwnUnit };
+    enum TextureUnit { SurfaceUnit, FaceUnit, GradientUnit, FirstOwnUnit };
 };
 
 }  // namespace chiaro::widgets

@@ -22,7 +22,7 @@ bool isDrawn(const scene::Object& object) {
 }
 
 std::span<const std::string> drawnMethods() {
-    static const std::vector<std::string> keys{"image-based", "view-aligned"};
+    static const std::vector<std::string> keys{"image-based", "view-aligned", "view-dependent"};
     return keys;
 }
 
@@ -64,6 +64,13 @@ void ViewState::setPaint(int sample, ViewportPaint paint) {
 
 void ViewState::setGradient(int sample, const gradient::Gradient& gradient) {
     setPaint(sample, {paint(sample).levels, gradient});
+}
+
+std::shared_ptr<const methods::PaintedObject> ViewState::paintedObject(std::size_t object) const {
+    if (object >= m_paintedObjects.size() || !m_paintedObjects[object]) return nullptr;
+    const bool isOfMesh =
+        &m_paintedObjects[object]->planned->surface.mesh() == m_scene.objects[object].mesh.get();
+    return isOfMesh ? m_paintedObjects[object] : nullptr;
 }
 
 methods::TexturePlacement ViewState::followed(std::size_t object, const methods::ObjectView& now) const {

@@ -2,6 +2,7 @@
 
 #include "core/gradient/gradient.h"
 #include "core/methods/view_aligned.h"
+#include "core/methods/view_dependent.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 #include "core/synthesis/levels.h"
@@ -50,11 +51,19 @@ public:
     /// One of drawnMethods(); any other shows as the first of them.
     void setMethod(const std::string& key);
 
+    /// The textures of an object's own views, null while there are none: G(L) alone is shown.
+    std::shared_ptr<const methods::PaintedObject> paintedObject(std::size_t object) const;
+    /// One an object of the scene; those of another mesh than the object's are not shown.
+    void setPaintedObjects(std::vector<std::shared_ptr<const methods::PaintedObject>> objects) {
+        m_paintedObjects = std::move(objects);
+    }
+
     scene::Camera camera;
     methods::ViewAlignedParams params;
     std::shared_ptr<const ViewTexture> viewTexture;     ///< image-based; null: G(L) alone is shown
     std::shared_ptr<const ViewTexture> earlierTexture;  ///< what it takes the place of, while it fades in
     float earlierWeight = 0;                            ///< of that, 1 to 0
+    methods::ViewDependentParams viewDependent;
     glm::vec3 background{0.22f};
 
     /// Lets the textures follow what moved since the last call, for a view of so many device pixels. A view
@@ -70,6 +79,7 @@ private:
     std::string m_method;
     scene::Scene m_scene;
     std::map<int, ViewportPaint> m_paints;
+    std::vector<std::shared_ptr<const methods::PaintedObject>> m_paintedObjects;
     std::vector<methods::TexturePlacement> m_placements;     ///< one an object
     std::vector<std::optional<methods::ObjectView>> m_seen;  ///< as last followed, one an object
     scene::Camera m_seenCamera;

@@ -220,6 +220,16 @@ void Viewport::setViewTexture(std::shared_ptr<const ViewTexture> texture) {
     if (m_impl->state.method() == "image-based") m_impl->refresh();
 }
 
+void Viewport::setPaintedObjects(std::vector<std::shared_ptr<const methods::PaintedObject>> objects) {
+    m_impl->state.setPaintedObjects(std::move(objects));
+    if (m_impl->state.method() == "view-dependent") m_impl->refresh();
+}
+
+void Viewport::setViewDependent(const methods::ViewDependentParams& params) {
+    m_impl->state.viewDependent = params;
+    m_impl->refresh();
+}
+
 void Viewport::setNavigation(Navigation navigation) {
     m_impl->navigation = navigation;
 }

@@ -46,6 +46,11 @@ public:
     /// before goes on being shown, moved along with its objects, until then.
     void setViewTexture(std::shared_ptr<const ViewTexture> texture);
 
+    /// The textures of the objects' own views (§4.3), one an object of the scene; null shows G(L) alone.
+    /// Texels are made of them in the background; what was shown before stays until they are ready.
+    void setPaintedObjects(std::vector<std::shared_ptr<const methods::PaintedObject>> objects);
+    void setViewDependent(const methods::ViewDependentParams& params);
+
     /// Which mouse gestures turn, pan and zoom; see navigation.h. A plain left drag turns in all of them.
     using Navigation = widgets::Navigation;
     void setNavigation(Navigation navigation);
