@@ -12,13 +12,14 @@ struct Change {
         Recoloring,  ///< the colours that sample `index` shows
         Mesh,        ///< another mesh file
         Lights,
-        Levels,       ///< how level stacks are made
-        ViewAligned,  ///< how they are laid on the picture
-        Method,       ///< which method is shown
-        ImageBased,   ///< how image-based textures are made
-        Coherence,    ///< how their animations hang together
-        Views,        ///< how views are planned
-        PlacedViews,  ///< the views that the artist placed on object `index` of the mesh file
+        Levels,         ///< how level stacks are made
+        ViewAligned,    ///< how they are laid on the picture
+        Method,         ///< which method is shown
+        ImageBased,     ///< how image-based textures are made
+        Coherence,      ///< how their animations hang together
+        ViewDependent,  ///< how textures of the objects' own views are made and blended
+        Views,          ///< how views are planned
+        PlacedViews,    ///< the views that the artist placed on object `index` of the mesh file
     };
     Kind kind = Kind::Everything;
     int index = 0;

@@ -96,6 +96,12 @@ void Document::editCoherence(const methods::CoherenceParams& params) {
         [](auto& project) -> auto& { return project.coherence; }, params);
 }
 
+void Document::editViewDependent(const methods::ViewDependentParams& params) {
+    edit(
+        {Change::Kind::ViewDependent}, tr("Change Blending"),
+        [](auto& project) -> auto& { return project.viewDependent; }, params);
+}
+
 void Document::editLight(int light, glm::vec3 vector) {
     std::vector<scene::Light> lights = m_project.lights;
     lights[std::size_t(light)].vector = vector;

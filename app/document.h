@@ -44,6 +44,7 @@ public:
     void editImageBased(const methods::ImageBasedParams& params);
     void editCoherence(const methods::CoherenceParams& params);
     void editViewAligned(const methods::ViewAlignedParams& params);
+    void editViewDependent(const methods::ViewDependentParams& params);
     void editLight(int light, glm::vec3 vector);
     void editViews(const views::ViewParams& params);
 

@@ -125,6 +125,7 @@ void FrameTextures::applyChange(Change change) {
         case Kind::Levels:
         case Kind::ViewAligned:
         case Kind::Coherence:
+        case Kind::ViewDependent:
         case Kind::Views:
         case Kind::PlacedViews:
             return;

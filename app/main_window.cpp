@@ -48,6 +48,7 @@ MainWindow::MainWindow()
       m_meshes(m_document, m_jobs, m_memo),
       m_frameTextures(m_document, m_jobs, m_memo, m_paints, m_meshes),
       m_viewPlans(m_document, m_jobs, m_memo, m_meshes),
+      m_objectTextures(m_document, m_jobs, m_memo, m_paints, m_meshes, m_viewPlans),
       m_opener(m_document, m_jobs, m_paints, m_meshes) {
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
@@ -83,7 +84,7 @@ void MainWindow::makeCentralView() {
     layout->addWidget(m_viewport, 1);
     setCentralWidget(center);
     new EmptyHint(m_document, m_viewport);
-    new ViewportLink(m_document, m_paints, m_meshes, m_frameTextures, *m_viewport, center);
+    new ViewportLink(m_document, m_paints, m_meshes, m_frameTextures, m_objectTextures, *m_viewport, center);
 }
 
 void MainWindow::makeDocks() {
@@ -212,6 +213,7 @@ void MainWindow::makeSampleMenu() {
         m_paints.retry();
         m_frameTextures.retry();
         m_viewPlans.retry();
+        m_objectTextures.retry();
     });
     connect(sample, &QMenu::aboutToShow, this, [this, edits] {
         for (QAction* action : edits) action->setEnabled(m_sampleDock->currentSample() >= 0);
@@ -332,6 +334,9 @@ void MainWindow::exportPicture() {
         const Paints::State& state = m_paints.state(sample);
         source.paints.push_back({state.levelsAreFinal ? state.levels : nullptr, m_paints.gradient(sample)});
     }
+    for (int object = 0; object < int(source.scene.objects.size()); ++object)
+        source.objectTextures.push_back(
+            m_objectTextures.isFinal(object) ? m_objectTextures.textures()[std::size_t(object)] : nullptr);
     const PictureSettings settings = dialog.settings();
     const QString name = QString::fromStdString(settings.path.filename().string());
     m_jobs.start(

@@ -5,6 +5,7 @@
 #include "app/jobs/job_runner.h"
 #include "app/jobs/memo.h"
 #include "app/meshes.h"
+#include "app/object_textures.h"
 #include "app/opener.h"
 #include "app/paints.h"
 #include "app/view_plans.h"
@@ -46,6 +47,7 @@ public:
     Paints& paints() { return m_paints; }
     FrameTextures& frameTextures() { return m_frameTextures; }
     ViewPlans& viewPlans() { return m_viewPlans; }
+    ObjectTextures& objectTextures() { return m_objectTextures; }
     widgets::Viewport& viewport() { return *m_viewport; }
     widgets::MessageBar& messages() { return *m_messages; }
     SampleDock& sampleDock() { return *m_sampleDock; }
@@ -101,6 +103,7 @@ private:
     Meshes m_meshes;
     FrameTextures m_frameTextures;
     ViewPlans m_viewPlans;
+    ObjectTextures m_objectTextures;
     Opener m_opener;
 
     MethodSwitch* m_methods = nullptr;

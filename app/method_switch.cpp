@@ -26,6 +26,10 @@ constexpr std::array hints{
     Hint{"view-aligned", "method-view-aligned",
          QT_TRANSLATE_NOOP("chiaro::app::MethodSwitch",
                            "Strokes that face the viewer, from a 3D texture: every frame in real time")},
+    Hint{"view-dependent", "method-view-dependent",
+         QT_TRANSLATE_NOOP("chiaro::app::MethodSwitch",
+                           "Strokes that stay on the object, painted from many sides: made once, then every "
+                           "frame in real time")},
 };
 
 const Hint* hintOf(const std::string& key) {

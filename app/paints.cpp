@@ -96,6 +96,7 @@ void Paints::applyChange(Change change) {
         case Change::Kind::ViewAligned:
         case Change::Kind::ImageBased:
         case Change::Kind::Coherence:
+        case Change::Kind::ViewDependent:
         case Change::Kind::Views:
         case Change::Kind::PlacedViews:
             return;

@@ -63,6 +63,36 @@ methods::Frame placedFrame(PictureSource source, const scene::GBuffer& gbuffer, 
                                       task.part(0.7, 1));
 }
 
+/// The textures of the objects' own views; those that are not there yet are made.
+methods::Frame viewDependentFrame(const PictureSource& source, const scene::GBuffer& gbuffer,
+                                  const Task& task) {
+    std::vector<project::Paint> paints(source.paints.size());
+    for (std::size_t i = 0; i < paints.size(); ++i) paints[i].shown = source.paints[i].gradient;
+    project::Paint bare;
+    bare.shown = unpainted().gradient;
+    project::WornPaints worn;
+    const double share = 0.9 / double(std::max<std::size_t>(source.scene.objects.size(), 1));
+    for (std::size_t i = 0; i < source.scene.objects.size(); ++i) {
+        const scene::Object& object = source.scene.objects[i];
+        const bool isPainted = std::size_t(object.sample) < paints.size();
+        project::Paint& paint = isPainted ? paints[std::size_t(object.sample)] : bare;
+        project::Worn& one = worn.emplace_back(
+            project::Worn{&paint, i < source.objectTextures.size() ? source.objectTextures[i] : nullptr,
+                          glm::inverse(object.transform)});
+        if (!isPainted || !object.visible) continue;
+        const Task part = task.part(share * double(i), share * double(i + 1));
+        if (paint.shown.empty() || (!one.views && paint.strip.empty()))
+            paint =
+                project::separatePaint(source.project.samples[std::size_t(object.sample)], part.part(0, 0.1));
+        if (!one.views)
+            one.views = project::paintObject(
+                source.project,
+                project::planObject(source.project, object.name, object.mesh, part.part(0.1, 0.3)), paint,
+                part.part(0.3, 1));
+    }
+    return project::renderFrame(source.project, worn, gbuffer, task.part(0.9, 1)).frame;
+}
+
 ColorImage scaled(const ColorImage& texture, float factor) {
     if (factor == 1) return texture;
     const auto size = [factor](int side) { return std::max(4, int(std::lround(float(side) * factor))); };
@@ -99,6 +129,15 @@ methods::Frame synthesizedFrame(const PictureSource& source, const scene::GBuffe
     return project::renderFrame(project, worn, gbuffer, task.part(0.4, 1)).frame;
 }
 
+/// By the project's method.
+methods::Frame paintedFrame(PictureSource source, const scene::GBuffer& gbuffer, float pixelsPerPixel,
+                            const Task& task) {
+    if (source.project.method == "view-aligned")
+        return placedFrame(std::move(source), gbuffer, pixelsPerPixel, task);
+    if (source.project.method == "view-dependent") return viewDependentFrame(source, gbuffer, task);
+    return synthesizedFrame(source, gbuffer, pixelsPerPixel, task);
+}
+
 }  // namespace
 
 void exportPicture(PictureSource source, const PictureSettings& settings, const Task& task) {
@@ -110,10 +149,8 @@ void exportPicture(PictureSource source, const PictureSettings& settings, const 
     const scene::RayScene rays(source.scene, task.part(0, 0.1));
     const scene::GBuffer gbuffer = scene::castGBuffer(rays, source.scene.lights, source.camera,
                                                       settings.width, settings.height, task.part(0.1, 0.3));
-    const bool isPlaced = source.project.method == "view-aligned";
     const methods::Frame frame =
-        isPlaced ? placedFrame(std::move(source), gbuffer, pixelsPerPixel, task.part(0.3, 0.95))
-                 : synthesizedFrame(source, gbuffer, pixelsPerPixel, task.part(0.3, 0.95));
+        paintedFrame(std::move(source), gbuffer, pixelsPerPixel, task.part(0.3, 0.95));
     const ImageMetadata metadata{{"Software", "Chiaro " CHIARO_VERSION}};
     task.checkpoint();
     if (settings.transparent)

@@ -2,6 +2,7 @@
 
 #include "core/base/task.h"
 #include "core/methods/view_aligned.h"
+#include "core/methods/view_dependent.h"
 #include "core/project/project.h"
 #include "core/scene/scene.h"
 
@@ -34,8 +35,10 @@ struct PictureSource {
     scene::Camera camera;
     std::vector<PicturePaint> paints;                   ///< one a sample
     std::vector<methods::TexturePlacement> placements;  ///< one an object, in the viewport's pixels
-    int viewportWidth = 1920;                           ///< px
+    int viewportWidth = 1920;  ///< px
     int viewportHeight = 1080;
+    /// One an object, of its own views; null: to be made for the picture, if its method uses them.
+    std::vector<std::shared_ptr<const methods::PaintedObject>> objectTextures = {};
 };
 
 /// Renders by core and by the project's method, deterministic, and writes the picture atomically. Throws

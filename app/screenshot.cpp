@@ -1,6 +1,7 @@
 #include "app/screenshot.h"
 
 #include "app/main_window.h"
+#include "widgets/viewport/viewport.h"
 
 #include <QtWidgets>
 
@@ -38,6 +39,7 @@ void Screenshot::look() {
 
 void Screenshot::take() {
     m_timer.stop();
+    m_window.viewport().picture();  // waits for the texels of what is new
     const bool written = m_window.grab().save(m_path);
     if (!written) std::fprintf(stderr, "chiaro-studio: %s: can't be written\n", qPrintable(m_path));
     QCoreApplication::exit(written ? 0 : 1);

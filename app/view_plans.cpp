@@ -91,6 +91,7 @@ void ViewPlans::applyChange(Change change) {
         case Kind::ViewAligned:
         case Kind::ImageBased:
         case Kind::Coherence:
+        case Kind::ViewDependent:
             return;
     }
 }

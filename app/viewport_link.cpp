@@ -3,6 +3,7 @@
 #include "app/document.h"
 #include "app/frame_textures.h"
 #include "app/meshes.h"
+#include "app/object_textures.h"
 #include "app/paints.h"
 #include "core/project/pipeline.h"
 #include "widgets/viewport/viewport.h"
@@ -14,7 +15,7 @@ namespace chiaro::app {
 using widgets::Viewport;
 
 ViewportLink::ViewportLink(Document& document, Paints& paints, Meshes& meshes, FrameTextures& textures,
-                           Viewport& viewport, QObject* parent)
+                           ObjectTextures& objectTextures, Viewport& viewport, QObject* parent)
     : QObject(parent),
       m_document(document),
       m_paints(paints),
@@ -28,6 +29,8 @@ ViewportLink::ViewportLink(Document& document, Paints& paints, Meshes& meshes, F
             [this](int sample) { m_viewport.setGradient(sample, m_paints.gradient(sample)); });
     connect(&textures, &FrameTextures::textureChanged, this,
             [this] { m_viewport.setViewTexture(m_textures.texture()); });
+    connect(&objectTextures, &ObjectTextures::texturesChanged, this,
+            [this, &objectTextures] { m_viewport.setPaintedObjects(objectTextures.textures()); });
     connect(&viewport, &Viewport::viewChanged, this,
             [this] { m_textures.setView(m_viewport.camera(), m_viewport.pixels()); });
     connect(&viewport, &Viewport::cameraEdited, &document, &Document::setCamera);
@@ -35,6 +38,7 @@ ViewportLink::ViewportLink(Document& document, Paints& paints, Meshes& meshes, F
     connect(&viewport, &Viewport::lightEditFinished, &document, &Document::finishEdit);
     applyChange({});
     showScene();
+    m_viewport.setPaintedObjects(objectTextures.textures());
     m_textures.setView(m_viewport.camera(), m_viewport.pixels());
 }
 
@@ -45,6 +49,7 @@ void ViewportLink::applyChange(Change change) {
         case Kind::Everything:
             m_viewport.setMethod(project.method);
             m_viewport.setParams(project.viewAligned);
+            m_viewport.setViewDependent(project.viewDependent);
             m_viewport.setLights(project.lights);
             [[fallthrough]];
         case Kind::Samples:
@@ -58,6 +63,9 @@ void ViewportLink::applyChange(Change change) {
             break;
         case Kind::ViewAligned:
             m_viewport.setParams(project.viewAligned);
+            break;
+        case Kind::ViewDependent:
+            m_viewport.setViewDependent(project.viewDependent);
             break;
         case Kind::Method:
             m_viewport.setMethod(project.method);

@@ -17,6 +17,7 @@ namespace chiaro::app {
 class Document;
 class FrameTextures;
 class Meshes;
+class ObjectTextures;
 class Paints;
 
 /// Keeps the viewport showing the document, and takes back what the artist does in it: the camera, the light.
@@ -25,7 +26,7 @@ class ViewportLink : public QObject {
 
 public:
     ViewportLink(Document& document, Paints& paints, Meshes& meshes, FrameTextures& textures,
-                 widgets::Viewport& viewport, QObject* parent = nullptr);
+                 ObjectTextures& objectTextures, widgets::Viewport& viewport, QObject* parent = nullptr);
 
 private:
     void applyChange(Change change);

@@ -48,6 +48,7 @@ ParametersDock::ParametersDock(Document& document)
     m_layout->setSpacing(6);
     addImageBased();
     addViewAligned();
+    addViewDependent();
     m_layout->addStretch(1);
     connect(&document, &Document::changed, this, &ParametersDock::applyChange);
     applyChange({});
@@ -76,21 +77,54 @@ void ParametersDock::addViewAligned() {
                                        itsQuilting, &Document::editLevels);
 }
 
+void ParametersDock::addViewDependent() {
+    using Kind = Change::Kind;
+    using project::Project;
+    addSection<methods::ViewDependentParams>({"view-dependent", tr("Blending"), Kind::ViewDependent},
+                                             &Project::viewDependent, itself, &Document::editViewDependent);
+    addSection<views::ViewParams>({"view-dependent", tr("Views"), Kind::Views}, &Project::views, itself,
+                                  &Document::editViews);
+    addSection<synthesis::LevelParams>({.method = "view-dependent",
+                                        .text = tr("Levels"),
+                                        .kind = Kind::Levels,
+                                        .without = {"size", "tiling"}},
+                                       &Project::levels, itself, &Document::editLevels);
+    addSection<synthesis::QuiltParams>({"view-dependent", tr("Quilting"), Kind::Levels}, &Project::levels,
+                                       itsQuilting, &Document::editLevels);
+}
+
 template <class Params, class Whole, class Part>
 void ParametersDock::addSection(const Heading& heading, Whole project::Project::*whole, Part part,
                                 void (Document::*edit)(const Whole&)) {
-    ParameterForm* form = widgets::makeParameterForm<Params>();
+    const auto specs = Params::table().specs();
+    const std::vector<double> defaults = Params::table().values(Params{});
+    std::vector<std::size_t> rows;  // of the form, as indices in the table
+    std::vector<ParameterSpec> shownSpecs;
+    std::vector<double> shownDefaults;
+    for (std::size_t i = 0; i < specs.size(); ++i) {
+        if (std::ranges::find(heading.without, specs[i].key) != heading.without.end()) continue;
+        rows.push_back(i);
+        shownSpecs.push_back(specs[i]);
+        shownDefaults.push_back(defaults[i]);
+    }
+    auto* form = new ParameterForm(std::move(shownSpecs), std::move(shownDefaults));
     QWidget* section = sectionWidget(heading.text, heading.note, form);
     section->setObjectName(QString::fromStdString(heading.method) + "/" + heading.text);
     m_layout->addWidget(section);
-    connect(form, &ParameterForm::valueEdited, this, [this, form, whole, part, edit] {
+    connect(form, &ParameterForm::valueEdited, this, [this, form, rows, whole, part, edit] {
         Whole edited = m_document.project().*whole;
-        Params::table().assign(part(edited), form->values());
+        std::vector<double> values = Params::table().values(part(edited));
+        for (std::size_t i = 0; i < rows.size(); ++i) values[rows[i]] = form->values()[i];
+        Params::table().assign(part(edited), values);
         (m_document.*edit)(edited);
     });
     connect(form, &ParameterForm::editFinished, &m_document, &Document::finishEdit);
-    m_sections.push_back({heading, section, [this, form, whole, part] {
-                              form->setValues(Params::table().values(part(m_document.project().*whole)));
+    m_sections.push_back({heading, section, [this, form, rows, whole, part] {
+                              const std::vector<double> values =
+                                  Params::table().values(part(m_document.project().*whole));
+                              std::vector<double> shown;
+                              for (const std::size_t row : rows) shown.push_back(values[row]);
+                              form->setValues(shown);
                           }});
 }
 

@@ -30,6 +30,7 @@ private:
         QString text;
         Change::Kind kind;  ///< the change that an edit of them is
         QString note = {};
+        std::vector<std::string> without = {};  ///< keys of parameters that mean nothing to the method
     };
     struct Section {
         Heading heading;
@@ -42,6 +43,7 @@ private:
                     void (Document::*edit)(const Whole&));
     void addImageBased();
     void addViewAligned();
+    void addViewDependent();
     void applyChange(Change change);
 
     Document& m_document;

@@ -5,6 +5,7 @@
 #include "app/jobs/job_runner.h"
 #include "app/jobs/memo.h"
 #include "app/meshes.h"
+#include "app/object_textures.h"
 #include "app/opener.h"
 #include "app/paints.h"
 #include "app/view_plans.h"
@@ -31,6 +32,7 @@ struct Studio {
     app::Meshes meshes{document, jobs, memo};
     app::FrameTextures frameTextures{document, jobs, memo, paints, meshes};
     app::ViewPlans viewPlans{document, jobs, memo, meshes};
+    app::ObjectTextures objectTextures{document, jobs, memo, paints, meshes, viewPlans};
     app::Opener opener{document, jobs, paints, meshes};
     std::vector<QString> errors;
 

@@ -112,7 +112,7 @@ private Q_SLOTS:
 
     void parametersReachTheProjectAndComeBackWithUndo() {
         Docks docks;
-        for (const char* method : {"image-based", "view-aligned"}) {
+        for (const char* method : {"image-based", "view-aligned", "view-dependent"}) {
             docks.studio.document.editMethod(method);
             docks.studio.document.finishEdit();
             auto* block = docks.section(method, "Quilting")->findChild<QDoubleSpinBox*>("block");
@@ -141,6 +141,39 @@ private Q_SLOTS:
         docks.undo().undo();
         QVERIFY(!docks.section("image-based", "Synthesis")->isVisible());
         QVERIFY(docks.section("view-aligned", "Strokes")->isVisible());
+    }
+
+    void theViewDependentMethodHasItsOwn() {
+        Docks docks;
+        app::Document& document = docks.studio.document;
+        document.editMethod("view-dependent");
+        document.finishEdit();
+        for (const char* heading : {"Blending", "Views", "Levels", "Quilting"})
+            QVERIFY(docks.section("view-dependent", heading)->isVisible());
+        // Of the levels only what its textures are made from.
+        synthesis::LevelParams levels = document.project().levels;
+        levels.size = 77;
+        document.editLevels(levels);
+        document.finishEdit();
+        const QWidget* section = docks.section("view-dependent", "Levels");
+        QVERIFY(!section->findChild<QWidget*>("size") && !section->findChild<QWidget*>("tiling"));
+        auto* count = section->findChild<QDoubleSpinBox*>("count");
+        count->selectAll();
+        QTest::keyClicks(count, "5");
+        QTest::keyClick(count, Qt::Key_Return);
+        levels.count = 5;
+        QCOMPARE(document.project().levels, levels);
+        auto* views = docks.section("view-dependent", "Views")->findChild<QDoubleSpinBox*>("count");
+        views->selectAll();
+        QTest::keyClicks(views, "9");
+        QTest::keyClick(views, Qt::Key_Return);
+        QCOMPARE(document.project().views.count, 9);
+        docks.undo().undo();
+        QCOMPARE(document.project().views.count, views::ViewParams{}.count);
+        docks.section("view-dependent", "Blending")->findChild<QCheckBox*>("follow-camera")->click();
+        QVERIFY(document.project().viewDependent.followCamera);
+        docks.undo().undo();
+        QVERIFY(!document.project().viewDependent.followCamera);
     }
 
     void coherenceIsEditedInOneStepADragAndSynthesisesNothing() {
