@@ -243,7 +243,7 @@ QPixmap ViewPlanningDock::thumbnail(int view, bool isSelected) const {
     const QRectF all(0, 0, thumbnailSide, thumbnailSide);
     if (!picture.isNull()) painter.drawImage(all.adjusted(3, 3, -3, -3), picture);
     if (isSelected) {
-        painter.setPen(QPen(palette().color(QPalette::BrightText), 2));
+        painter.setPen(QPen(palette().color(QPalette::Text), 2));
         painter.drawRoundedRect(all.adjusted(1, 1, -1, -1), 3, 3);
     }
     const QRectF badge(5, 5, 16, 16);
