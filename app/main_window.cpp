@@ -50,6 +50,8 @@ MainWindow::MainWindow()
       m_viewPlans(m_document, m_jobs, m_memo, m_meshes),
       m_objectTextures(m_document, m_jobs, m_memo, m_paints, m_meshes, m_viewPlans),
       m_opener(m_document, m_jobs, m_paints, m_meshes) {
+    m_objectTextures.setCache(
+        std::make_shared<const project::TextureCache>(project::TextureCache::standardFolder()));
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);

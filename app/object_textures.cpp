@@ -79,12 +79,13 @@ struct ObjectTextures::Inputs {
     std::shared_ptr<const methods::PlannedObject> planned;
     std::shared_ptr<const SeparatedStrip> strip;
     bool isCoarse = false;
+    std::shared_ptr<const project::TextureCache> cache;
 
     Painted made(const Task& task) const {
         project::Paint paint;
         paint.strip = *strip->strip;
         paint.separation.gradient = strip->separation.gradient;
-        if (!isCoarse) return project::paintObject(project, planned, paint, task);
+        if (!isCoarse) return project::paintObject(project, planned, paint, task, cache.get());
         project::Project coarse = project;
         synthesis::QuiltParams& quilt = coarse.levels.quilt;
         quilt.block = std::max(quilt.block / coarseness, 4);
@@ -251,7 +252,8 @@ void ObjectTextures::start(int object, bool isCoarse) {
     const Entry& entry = m_entries[std::size_t(object)];
     const std::uint64_t key = m_inWork = isCoarse ? entry.coarseKey : entry.fineKey;
     const QString name = QString::fromStdString(m_meshes.scene().objects[std::size_t(object)].name);
-    const Inputs inputs{m_document.project(), m_plans.plan(object)->planned, stripOf(object), isCoarse};
+    const Inputs inputs{m_document.project(), m_plans.plan(object)->planned, stripOf(object), isCoarse,
+                        m_cache};
     m_jobs.start(
         {(isCoarse ? tr("Sketching %1") : tr("Painting %1")).arg(name), slot,
          [this, key, isCoarse](const QString& message) {

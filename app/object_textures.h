@@ -2,6 +2,7 @@
 
 #include "app/change.h"
 #include "core/methods/view_dependent.h"
+#include "core/project/texture_cache.h"
 
 #include <QObject>
 #include <QTimer>
@@ -46,6 +47,9 @@ public:
     int synthesisCount() const { return m_synthesisCount; }
     int coarseCount() const { return m_coarseCount; }
 
+    /// Where fine textures are kept from one run to the next; nowhere without.
+    void setCache(std::shared_ptr<const project::TextureCache> cache) { m_cache = std::move(cache); }
+
 public Q_SLOTS:
     /// Makes again what was cancelled or failed.
     void retry();
@@ -79,6 +83,7 @@ private:
     Paints& m_paints;
     Meshes& m_meshes;
     ViewPlans& m_plans;
+    std::shared_ptr<const project::TextureCache> m_cache;
     std::vector<Entry> m_entries;
     std::uint64_t m_meshKey = 0;        ///< of the objects that the entries are of
     std::set<std::uint64_t> m_givenUp;  ///< cancelled or failed; not tried again by itself
