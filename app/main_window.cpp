@@ -9,6 +9,7 @@
 #include "app/job_status.h"
 #include "app/method_switch.h"
 #include "app/recent_files.h"
+#include "app/view_overlays.h"
 #include "app/viewport_link.h"
 #include "core/base/error.h"
 #include "widgets/message_bar.h"
@@ -100,6 +101,8 @@ void MainWindow::makeDocks() {
     m_gradientDock->raise();
     connect(m_viewport, &widgets::Viewport::viewChanged, m_viewsDock,
             [this] { m_viewsDock->setCamera(m_viewport->camera()); });
+    m_viewOverlays = new ViewOverlays(*m_viewsDock, m_viewPlans, m_meshes, *m_viewport, m_viewport);
+    m_viewsDock->addSwitches({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
 }
 
 void MainWindow::arrangeDocks() {
@@ -187,6 +190,7 @@ void MainWindow::makeViewMenu() {
         ++number;
     }
     m_viewport->setNavigation(widgets::Viewport::Navigation(chosen));
+    view->addActions({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
     view->addSeparator();
     for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
     addAction(*view, nullptr, tr("&Reset Layout"), {},

@@ -26,6 +26,7 @@ class MethodSwitch;
 class ParametersDock;
 class RecentFiles;
 class SampleDock;
+class ViewOverlays;
 class ViewPlanningDock;
 
 /// The studio's window: the viewport, the docks around it and the menus. It puts the parts together; each
@@ -112,6 +113,7 @@ private:
     GradientDock* m_gradientDock = nullptr;
     ParametersDock* m_parametersDock = nullptr;
     ViewPlanningDock* m_viewsDock = nullptr;
+    ViewOverlays* m_viewOverlays = nullptr;
     RecentFiles* m_recent = nullptr;
     QLabel* m_frameTime = nullptr;
     QByteArray m_standardState;

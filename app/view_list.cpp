@@ -32,8 +32,10 @@ void ViewList::update(const std::vector<project::PlacedView>& placed, std::share
         listed.view.up = glm::dvec3(one.up);
         for (int group = 0; group < int(groups.size()) && listed.group < 0; ++group)
             if (glm::vec3(groups[std::size_t(group)].view.direction) == one.direction) listed.group = group;
-        if (listed.group < 0) continue;
-        listed.view = groups[std::size_t(listed.group)].view;
+        if (listed.group >= 0)
+            listed.view = groups[std::size_t(listed.group)].view;
+        else if (m_plan)
+            listed.view = views::framed(listed.view, m_plan->planned->surface);
     }
     for (int group = 0; group < int(groups.size()); ++group) {
         const views::FaceGroup& one = groups[std::size_t(group)];

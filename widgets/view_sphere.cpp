@@ -282,7 +282,7 @@ void ViewSphere::paintSphere(QPainter& painter) const {
     const double r = radius();
     QRadialGradient shade(center() - QPointF(0.35, 0.45) * r, r * 1.6);
     shade.setColorAt(0, palette().color(QPalette::Light));
-    shade.setColorAt(1, palette().color(QPalette::Base));
+    shade.setColorAt(1, palette().color(QPalette::Window).darker(125));
     painter.setPen(QPen(palette().color(QPalette::Dark), 1));
     painter.setBrush(shade);
     painter.drawEllipse(center(), r, r);
@@ -372,7 +372,7 @@ void ViewSphere::paintMarker(QPainter& painter, int view) const {
             painter.drawEllipse(at, size, size);
     };
     if (isSelected) {
-        painter.setPen(QPen(palette().color(QPalette::BrightText), 2));
+        painter.setPen(QPen(palette().color(QPalette::Text), 2));
         painter.setBrush(Qt::NoBrush);
         shape(r + 3);
     }
@@ -392,7 +392,7 @@ void ViewSphere::paintMarker(QPainter& painter, int view) const {
 void ViewSphere::paintCamera(QPainter& painter) const {
     if (!m_cameraDirection) return;
     const QPointF at = position(*m_cameraDirection);
-    QColor color = palette().color(QPalette::BrightText);
+    QColor color = palette().color(QPalette::Text);
     color.setAlpha(isNear(*m_cameraDirection) ? 200 : 70);
     painter.setPen(QPen(color, 1.4));
     constexpr double inner = 4;

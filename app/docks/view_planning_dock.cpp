@@ -76,9 +76,23 @@ QWidget* ViewPlanningDock::makeTools() {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(2);
     for (QToolButton* button : {m_add, m_lock, m_remove, m_replan}) row->addWidget(button);
+    m_switches = new QHBoxLayout;
+    m_switches->setSpacing(2);
+    row->addSpacing(8);
+    row->addLayout(m_switches);
     row->addStretch(1);
     row->addWidget(m_status);
     return tools;
+}
+
+void ViewPlanningDock::addSwitches(const QList<QAction*>& actions) {
+    for (QAction* action : actions) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(action);
+        button->setAutoRaise(true);
+        button->setAccessibleName(action->toolTip());
+        m_switches->addWidget(button);
+    }
 }
 
 QWidget* ViewPlanningDock::makeThumbnails() {
@@ -229,7 +243,7 @@ QPixmap ViewPlanningDock::thumbnail(int view, bool isSelected) const {
     const QRectF all(0, 0, thumbnailSide, thumbnailSide);
     if (!picture.isNull()) painter.drawImage(all.adjusted(3, 3, -3, -3), picture);
     if (isSelected) {
-        painter.setPen(QPen(palette().color(QPalette::BrightText), 2));
+        painter.setPen(QPen(palette().color(QPalette::Text), 2));
         painter.drawRoundedRect(all.adjusted(1, 1, -1, -1), 3, 3);
     }
     const QRectF badge(5, 5, 16, 16);
@@ -273,7 +287,7 @@ void ViewPlanningDock::showStatus() {
     m_sphere->setEnabled(m_object >= 0);
     m_form->setEnabled(m_object >= 0);
     if (m_object < 0)
-        m_status->setText(tr("Open a mesh to plan its views"));
+        m_status->setText(tr("No mesh"));
     else if (isCurrent)
         m_status->setText(m_list.count() == 1 ? tr("1 view") : tr("%1 views").arg(m_list.count()));
     else

@@ -9,6 +9,7 @@
 #include <optional>
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QListWidget;
 class QToolButton;
@@ -40,6 +41,9 @@ public:
     const ViewList& list() const { return m_list; }
     int selectedView() const;
     void selectView(int view);
+
+    /// Buttons beside the others, for what the viewport shows of the views.
+    void addSwitches(const QList<QAction*>& actions);
 
     widgets::ViewSphere* sphere() const { return m_sphere; }
     widgets::CoverageBar* coverageBar() const { return m_coverage; }
@@ -84,6 +88,7 @@ private:
     QToolButton* m_lock = nullptr;
     QToolButton* m_remove = nullptr;
     QToolButton* m_replan = nullptr;
+    QHBoxLayout* m_switches = nullptr;
     QLabel* m_status = nullptr;
     QLabel* m_details = nullptr;
     QListWidget* m_thumbnails = nullptr;

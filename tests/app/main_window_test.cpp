@@ -2,6 +2,7 @@
 
 #include "app/docks/gradient_dock.h"
 #include "app/docks/sample_dock.h"
+#include "app/docks/view_planning_dock.h"
 #include "app/picture_export.h"
 #include "core/base/atomic_file.h"
 #include "core/project/pipeline.h"
@@ -9,6 +10,7 @@
 #include "widgets/color_path_bar.h"
 #include "widgets/color_path_view.h"
 #include "widgets/message_bar.h"
+#include "widgets/viewport/overlay_views.h"
 #include "widgets/viewport/viewport.h"
 
 #include <QtTest>
@@ -152,6 +154,27 @@ private Q_SLOTS:
         QCOMPARE(window.document().project(), before);
         window.messages().findChild<QToolButton*>("close")->click();
         QVERIFY(!window.messages().isVisible());
+    }
+
+    void viewsAndUncoveredFacesAreMarkedOverTheViewport() {
+        MainWindow window;
+        window.resize(1200, 700);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(openAndSettle(window, stripAndMesh()));
+        auto* overlay = window.findChild<widgets::OverlayViews*>();
+        QAction* frames = window.findChild<QAction*>("view-frames");
+        QVERIFY(overlay->isHidden());
+        QCOMPARE(window.viewPlans().planCount(), 0);
+        frames->setChecked(true);
+        QTRY_VERIFY(window.viewPlans().plan(0));
+        QTRY_VERIFY(overlay->isVisible());
+        QCOMPARE(overlay->size(), window.viewport().size());
+        frames->setChecked(false);
+        QVERIFY(overlay->isHidden());
+        QVERIFY(!window.viewPlans().isWanted());
+        window.viewPlanningDock().raise();
+        QTRY_VERIFY(window.viewPlans().isWanted());
     }
 
     void theTitleTellsNameAndChanges() {
