@@ -18,11 +18,13 @@ uniform vec2 texelRange;            // texel value times x plus y is the differe
 uniform vec2 levelEnds;             // L of the middles of the first and the last level
 uniform mat4 objectToClip;
 uniform vec2 pixelSize;             // of a device pixel, clip space
+uniform vec2 reach;                 // how far beyond a face: a unit of depth, and at most; see placeOn
 uniform vec3 eye;                   // object space, about the object's middle
 
 struct Place {
-    vec3 weights;  // of the face's corners
     vec3 corners[3];
+    vec3 weights;  // of the face's corners, none below 0
+    vec3 place;    // the same, beyond the face where it continues
     vec3 point;
 };
 
@@ -35,23 +37,35 @@ float cross2(vec2 a, vec2 b) {
     return a.x * b.y - a.y * b.x;
 }
 
-// Where the pixel's middle meets a face; the nearest place on it where it passes by.
+vec3 pointOf(Place place, vec3 weights) {
+    return place.corners[0] * weights.x + place.corners[1] * weights.y + place.corners[2] * weights.z;
+}
+
+// Where the pixel's middle meets a face, or passes it by: another sample met it. Then the face's plane stands
+// for what lies beside it, but not far: at a silhouette it would lead away.
 Place placeOn(int face) {
     Place place;
     vec2 pixel = gl_FragCoord.xy * pixelSize - 1.0;
     vec2 offsets[3];
+    float depth = 0.0;
     for (int i = 0; i < 3; ++i) {
         place.corners[i] = texelFetch(corners, face * 3 + i).xyz;
         vec4 clip = objectToClip * vec4(place.corners[i], 1.0);
         offsets[i] = clip.xy - pixel * clip.w;
+        depth = max(depth, clip.w);
     }
     vec3 areas = vec3(cross2(offsets[1], offsets[2]), cross2(offsets[2], offsets[0]),
                       cross2(offsets[0], offsets[1]));
     float area = areas.x + areas.y + areas.z;
-    vec3 shares = area == 0.0 ? vec3(1.0) : max(areas / area, 0.0);
-    place.weights = shares / (shares.x + shares.y + shares.z);
-    place.point = place.corners[0] * place.weights.x + place.corners[1] * place.weights.y +
-                  place.corners[2] * place.weights.z;
+    vec3 plane = area == 0.0 ? vec3(1.0 / 3.0) : areas / area;
+    vec3 inside = max(plane, 0.0);
+    place.weights = inside / (inside.x + inside.y + inside.z);
+    place.point = pointOf(place, place.weights);
+    vec3 beyond = pointOf(place, plane) - place.point;
+    float limit = min(reach.x * depth, reach.y);
+    float share = min(limit * inversesqrt(max(dot(beyond, beyond), 1e-30)), 1.0);
+    place.point += share * beyond;
+    place.place = mix(place.weights, plane, share);
     return place;
 }
 
@@ -67,8 +81,8 @@ vec2 projected(int view, vec3 point) {
 // s and t in a view's map: affine on a face, whatever the projection.
 vec2 placeIn(int view, Place place) {
 #if PERSPECTIVE
-    return projected(view, place.corners[0]) * place.weights.x + projected(view, place.corners[1]) * place.weights.y +
-           projected(view, place.corners[2]) * place.weights.z;
+    return projected(view, place.corners[0]) * place.place.x + projected(view, place.corners[1]) * place.place.y +
+           projected(view, place.corners[2]) * place.place.z;
 #else
     return projected(view, place.point);
 #endif

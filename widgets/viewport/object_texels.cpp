@@ -148,6 +148,9 @@ ObjectTexels objectTexels(const methods::PaintedObject& object, int largestSide,
     result.layout.size =
         glm::ivec3(layout.atlas.pageSize, result.layout.levelCount * result.layout.pageCount);
     addTexels(result, object.textures, layout);
+    double finest = 0;
+    for (const views::FaceGroup& group : groups) finest = std::max(finest, group.view.texelsPerUnit());
+    result.layout.texelSize = 1 / finest;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const auto texels = viewTexels(surface, groups[i].view, object.textures.views[i].origin,
                                        layout.atlas.places[i], layout);

@@ -19,6 +19,7 @@ struct ObjectTexels {
         int levelCount = 0;
         int pageCount = 0;  ///< a page's levels follow each other
         DifferenceRange range;
+        double texelSize = 0;        ///< of the finest map before it was reduced, units of the object
         bool isPerspective = false;  ///< some divisor in `views` isn't 1
     };
     Layout layout;

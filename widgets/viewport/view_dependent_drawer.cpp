@@ -1,5 +1,9 @@
 #include "widgets/viewport/view_dependent_drawer.h"
 
+#include "core/methods/view_map.h"
+
+#include <glm/gtc/matrix_access.hpp>
+
 #include <QtConcurrent>
 
 #include <algorithm>
@@ -11,6 +15,11 @@ namespace {
 
 constexpr int firstBufferUnit = MethodDrawer::FirstOwnUnit + 1;
 constexpr int texelUnit = MethodDrawer::FirstOwnUnit;
+
+/// How far beyond a face its texture may be read: what half a pixel is on a steep face, and no further than
+/// there are texels of its own around each map.
+constexpr double reachPixels = 2;
+constexpr double reachTexels = methods::ViewMap::margin - 1;
 
 template <class T>
 void fillBuffer(Gl& gl, GLuint buffer, GLuint texture, GLenum format, const std::vector<T>& values) {
@@ -155,7 +164,11 @@ std::vector<MethodDrawer::Pass> ViewDependentDrawer::prepare(Gl&, const ViewStat
                           state.viewDependent.blend == methods::Blend::Preserving, layout.pageCount};
         const glm::dmat4 transform(object.transform);
         const glm::dmat4 fromMiddle = glm::translate(glm::dmat4(1), layout.middle);
-        placed.objectToClip = qtMatrix(glm::mat4(worldToClip * transform * fromMiddle));
+        const glm::dmat4 objectToClip = worldToClip * transform * fromMiddle;
+        placed.objectToClip = qtMatrix(glm::mat4(objectToClip));
+        const double clipPerUnit = glm::length(glm::dvec3(glm::row(objectToClip, 1)));
+        placed.reach = QVector2D(float(reachPixels * m_pixelSize.y() / clipPerUnit),
+                                 float(reachTexels * layout.texelSize));
         const glm::dvec3 eyeInObject = glm::dvec3(glm::inverse(transform) * eye) - layout.middle;
         placed.eye = QVector3D(float(eyeInObject.x), float(eyeInObject.y), float(eyeInObject.z));
     }
@@ -180,6 +193,7 @@ QOpenGLShaderProgram* ViewDependentDrawer::bind(Gl& gl, std::size_t pass, const 
     program->setUniformValue("levelEnds", QVector2D(end, 1 - end));
     program->setUniformValue("objectToClip", placed.objectToClip);
     program->setUniformValue("pixelSize", m_pixelSize);
+    program->setUniformValue("reach", placed.reach);
     program->setUniformValue("eye", placed.eye);
     return program;
 }

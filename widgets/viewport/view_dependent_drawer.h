@@ -57,6 +57,7 @@ private:
         Variant variant;
         const Uploaded* uploaded = nullptr;
         QMatrix4x4 objectToClip;
+        QVector2D reach;
         QVector3D eye;
     };
 
