@@ -15,6 +15,7 @@ private Q_SLOTS:
     void saysThatThereIsNoOpenGl();
     void showsCoresPicture();
     void showsCoresImageBasedPicture();
+    void showsCoresViewDependentPicture();
     void picturesComeInTheBackground();
     void dragsTurnTheCamera();
     void withoutLevelsTheGradientAloneShows();
@@ -61,6 +62,26 @@ void ViewportCpuTest::showsCoresImageBasedPicture() {
     m_viewport->setViewTexture(made.texture);
     // But for the 8 bits of its texels.
     QVERIFY(test::meanDifference(m_viewport->picture(), made.reference.picture) < 0.5);
+}
+
+void ViewportCpuTest::showsCoresViewDependentPicture() {
+    const scene::Scene scene = test::sceneOf(test::sphereMesh());
+    m_viewport->setScene(scene);
+    m_viewport->setMethod("view-dependent");
+    const QImage untextured = m_viewport->picture();
+    views::ViewParams views;
+    views.count = 4;
+    views.size = 96;
+    const auto painted = test::paintedObject(scene.objects[0].mesh, views);
+    methods::ViewDependentParams params;
+    params.followCamera = true;
+    m_viewport->setViewDependent(params);
+    m_viewport->setPaintedObjects({painted});
+    const QImage picture = m_viewport->picture();
+    const test::Reference reference = test::viewDependentPicture(
+        scene, m_viewport->camera(), {painted}, m_paint.gradient, params, glm::vec3(0), picture.size());
+    QCOMPARE(picture, reference.picture);
+    QVERIFY(test::meanDifference(untextured, picture) > 1);
 }
 
 void ViewportCpuTest::picturesComeInTheBackground() {
