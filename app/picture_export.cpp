@@ -86,9 +86,8 @@ methods::Frame viewDependentFrame(const PictureSource& source, const scene::GBuf
                 project::separatePaint(source.project.samples[std::size_t(object.sample)], part.part(0, 0.1));
         if (!one.views)
             one.views = project::paintObject(
-                source.project,
-                project::planObject(source.project, object.name, object.mesh, part.part(0.1, 0.3)), paint,
-                part.part(0.3, 1));
+                source.project, project::planObject(source.project, source.scene, i, part.part(0.1, 0.3)),
+                paint, part.part(0.3, 1));
     }
     return project::renderFrame(source.project, worn, gbuffer, task.part(0.9, 1)).frame;
 }

@@ -16,10 +16,10 @@ namespace {
 
 constexpr int restMilliseconds = 150;
 
-CoveredPlan makePlan(const project::Project& project, const std::string& name,
-                     const std::shared_ptr<const scene::Mesh>& mesh, const Task& task) {
+CoveredPlan makePlan(const project::Project& project, const scene::Scene& scene, int object,
+                     const Task& task) {
     CoveredPlan made;
-    made.planned = project::planObject(project, name, mesh, task.part(0, 0.95));
+    made.planned = project::planObject(project, scene, std::size_t(object), task.part(0, 0.95));
     made.coverage = views::measureCoverage(made.planned->surface, made.planned->plan);
     return made;
 }
@@ -103,6 +103,7 @@ std::uint64_t ViewPlans::keyOf(int object, const scene::Object& one) const {
     hasher.add("view plan").add(m_meshKey).add(object);
     for (const double value : views::ViewParams::table().values(project.views)) hasher.add(value);
     hasher.add(project.views.up.x).add(project.views.up.y).add(project.views.up.z);
+    for (const scene::Object& other : m_meshes.scene().objects) hasher.add(project::scaleOf(other));
     const auto settings = std::ranges::find(project.objects, one.name, &project::ObjectSettings::name);
     if (settings != project.objects.end()) hasher.add(std::span<const project::PlacedView>(settings->views));
     return hasher.value();
@@ -153,7 +154,8 @@ void ViewPlans::startNext() {
 void ViewPlans::start(int object) {
     ++m_planCount;
     const std::uint64_t key = m_inWork = m_entries[std::size_t(object)].key;
-    const scene::Object one = m_meshes.scene().objects[std::size_t(object)];
+    const scene::Scene scene = m_meshes.scene();
+    const scene::Object& one = scene.objects[std::size_t(object)];
     m_jobs.start(
         {tr("Planning views of %1").arg(QString::fromStdString(one.name)), slot,
          [this, key](const QString& message) {
@@ -164,8 +166,8 @@ void ViewPlans::start(int object) {
          [this] {  // those that wait are not to begin instead
              for (const Entry& entry : m_entries) m_givenUp.insert(entry.key);
          }},
-        [project = m_document.project(), name = one.name, mesh = one.mesh, key](const Task& task) {
-            auto made = std::make_shared<CoveredPlan>(makePlan(project, name, mesh, task));
+        [project = m_document.project(), scene, object, key](const Task& task) {
+            auto made = std::make_shared<CoveredPlan>(makePlan(project, scene, object, task));
             made->key = key;
             return std::shared_ptr<const CoveredPlan>(std::move(made));
         },

@@ -60,11 +60,31 @@ scene::Camera cameraFor(const Project& project, const scene::Scene& scene) {
     return project.frameCamera ? project.camera.framed(boundsOf(scene)) : project.camera;
 }
 
-std::shared_ptr<const methods::PlannedObject> planObject(const Project& project, const std::string& name,
-                                                         std::shared_ptr<const scene::Mesh> mesh,
-                                                         const Task& task) {
+double scaleOf(const scene::Object& object) {
+    return std::cbrt(std::abs(double(glm::determinant(glm::mat3(object.transform)))));
+}
+
+namespace {
+
+int mapSizeOf(const scene::Scene& scene, std::size_t object, int largestMap) {
+    constexpr int smallestMap = 64;
+    const auto sizeOf = [](const scene::Object& one) {
+        return one.mesh ? scaleOf(one) * double(boundsOf(*one.mesh).radius) : 0.0;
+    };
+    double largest = 0;
+    for (const scene::Object& one : scene.objects) largest = std::max(largest, sizeOf(one));
+    if (!(largest > 0)) return largestMap;
+    const double share = sizeOf(scene.objects[object]) / largest;
+    return std::clamp(int(std::lround(share * largestMap)), std::min(smallestMap, largestMap), largestMap);
+}
+
+}  // namespace
+
+std::shared_ptr<const methods::PlannedObject> planObject(const Project& project, const scene::Scene& scene,
+                                                         std::size_t object, const Task& task) {
     std::vector<views::View> kept;
-    const auto settings = std::ranges::find(project.objects, name, &ObjectSettings::name);
+    const auto settings =
+        std::ranges::find(project.objects, scene.objects[object].name, &ObjectSettings::name);
     if (settings != project.objects.end())
         for (const PlacedView& placed : settings->views) {
             views::View& view = kept.emplace_back();
@@ -74,7 +94,9 @@ std::shared_ptr<const methods::PlannedObject> planObject(const Project& project,
             view.projection = project.views.projection;
             view.locked = true;
         }
-    return methods::planObject(std::move(mesh), project.views, kept, task);
+    views::ViewParams params = project.views;
+    params.size = mapSizeOf(scene, object, params.size);
+    return methods::planObject(scene.objects[object].mesh, params, kept, task);
 }
 
 namespace {
@@ -127,18 +149,19 @@ WornPaints wornPaints(const Project& project, const scene::Scene& scene, const s
                       const Task& task, const TextureCache* cache) {
     WornPaints worn;
     const bool usesViews = renderMethod(project.method).usesViews;
-    std::map<std::pair<const scene::Mesh*, int>, std::shared_ptr<const methods::PaintedObject>> painted;
+    std::map<std::tuple<const scene::Mesh*, int, double>, std::shared_ptr<const methods::PaintedObject>>
+        painted;
     const double share = 1 / double(std::max<std::size_t>(scene.objects.size(), 1));
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const scene::Object& object = scene.objects[i];
         Worn& one = worn.emplace_back(
             Worn{&paints[std::size_t(object.sample)], nullptr, glm::inverse(object.transform)});
         if (!usesViews || !object.visible) continue;
-        auto& views = painted[{object.mesh.get(), object.sample}];
+        auto& views = painted[{object.mesh.get(), object.sample, scaleOf(object)}];
         if (!views) {
             const Task part = task.part(share * double(i), share * double(i + 1));
-            views = paintObject(project, planObject(project, object.name, object.mesh, part.part(0, 0.2)),
-                                *one.paint, part.part(0.2, 1), cache);
+            views = paintObject(project, planObject(project, scene, i, part.part(0, 0.2)), *one.paint,
+                                part.part(0.2, 1), cache);
         }
         one.views = views;
     }

@@ -48,11 +48,14 @@ scene::Scene makeScene(const Project& project, const std::vector<std::shared_ptr
 /// The project's camera, aimed at the scene when the project says so.
 scene::Camera cameraFor(const Project& project, const scene::Scene& scene);
 
-/// The views of an object of this name: those that the artist placed, and what planning adds. Throws Error,
-/// Cancelled.
-std::shared_ptr<const methods::PlannedObject> planObject(const Project& project, const std::string& name,
-                                                         std::shared_ptr<const scene::Mesh> mesh,
-                                                         const Task& task = {});
+/// How much larger than its mesh an object stands in the scene.
+double scaleOf(const scene::Object& object);
+
+/// The views of an object of the scene: those that the artist placed, and what planning adds. The maps of the
+/// scene's largest object are as large as the project says, those of the others as much smaller as they are,
+/// so that strokes are of one size all over the scene. Throws Error, Cancelled.
+std::shared_ptr<const methods::PlannedObject> planObject(const Project& project, const scene::Scene& scene,
+                                                         std::size_t object, const Task& task = {});
 /// The textures of a planned object's views: from the cache if it has them, else quilted and kept there.
 /// Throws Error, Cancelled.
 std::shared_ptr<const methods::PaintedObject> paintObject(

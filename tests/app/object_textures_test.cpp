@@ -73,9 +73,8 @@ private Q_SLOTS:
         Painted studio(m_folder);
         QVERIFY(studio.isReady);
         const project::Project& project = studio.document.project();
-        const scene::Object object = studio.meshes.scene().objects[0];
         const auto made =
-            project::paintObject(project, project::planObject(project, object.name, object.mesh),
+            project::paintObject(project, project::planObject(project, studio.meshes.scene(), 0),
                                  project::separatePaint(project.samples[0]));
         const auto shown = studio.shown();
         QCOMPARE(shown->textures.views.size(), made->textures.views.size());

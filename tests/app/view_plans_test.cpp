@@ -53,8 +53,7 @@ private Q_SLOTS:
     void thePlanIsWhatCoreMakes() {
         Planned studio(m_folder);
         QVERIFY(studio.isReady);
-        const scene::Object object = studio.meshes.scene().objects[0];
-        const auto made = project::planObject(studio.document.project(), object.name, object.mesh, {});
+        const auto made = project::planObject(studio.document.project(), studio.meshes.scene(), 0, {});
         const auto shown = studio.viewPlans.plan(0);
         QVERIFY(shown->planned->plan == made->plan);
         QCOMPARE(shown->coverage.covered, 1.0);

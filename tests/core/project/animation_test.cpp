@@ -211,6 +211,21 @@ TEST(Coherence, PreservingKeepsTheContrastHalfWay) {
     EXPECT_NEAR(contrast(methods::Blend::Preserving, 5) / atKey, 1, 0.12);
 }
 
+TEST(PlanObject, GivesSmallerObjectsSmallerMapsSoThatStrokesAreOfOneSize) {
+    Project project;
+    project.views.size = 256;
+    project.views.count = 4;
+    scene::Scene scene = test::sceneOf({test::ball(16, 8), test::ball(16, 8), test::ball(16, 8)});
+    scene.objects[1].transform = glm::mat4(glm::mat3(0.5f));
+    scene.objects[2].transform = glm::mat4(glm::mat3(0.01f));
+    const auto sizeOf = [&](std::size_t object) {
+        return planObject(project, scene, object)->plan.groups.front().view.size;
+    };
+    EXPECT_EQ(sizeOf(0), 256);
+    EXPECT_EQ(sizeOf(1), 128);
+    EXPECT_EQ(sizeOf(2), 64);  // not less
+}
+
 TEST(ReadPath, TakesKeysOfCameraAndLight) {
     const test::TemporaryFolder folder;
     writeFileAtomically(folder / "a.json", R"({"path": 1, "interpolation": "linear", "keys": [
