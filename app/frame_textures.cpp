@@ -17,7 +17,7 @@ constexpr int restMilliseconds = 80;
 const char* const slot = "frame texture";
 
 /// A draft is to be seen in the first frames of a drag: its guide is of half the size, which costs a quarter
-/// of the rays, and its window is narrow, which costs half of the search.
+/// of the rays, and its search is core's draft.
 constexpr int draftStep = 2;
 methods::ImageBasedParams draftOf(methods::ImageBasedParams params) {
     params.draft = true;

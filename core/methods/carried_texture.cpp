@@ -86,16 +86,11 @@ private:
 /// goes along with a neighbour that the object fills.
 SeenPoint seenOrBeside(const scene::GBuffer& gbuffer, const Image<SeenPoint>& seen, std::uint16_t object,
                        glm::ivec2 pixel) {
-    static constexpr std::array<glm::ivec2, 9> steps{
-        {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
-    for (const glm::ivec2 step : steps) {
-        const glm::ivec2 beside = pixel + step;
-        if (!seen.contains(beside.x, beside.y) || gbuffer.objectId(beside.x, beside.y) != object) continue;
-        SeenPoint point = seen(beside.x, beside.y);
-        point.position -= glm::vec2(step);
-        return point;
-    }
-    return {};
+    const glm::ivec2 beside = pixelShowing(gbuffer, object, pixel);
+    if (beside.x < 0) return {};
+    SeenPoint point = seen(beside.x, beside.y);
+    point.position -= glm::vec2(beside - pixel);
+    return point;
 }
 
 CarriedTexture nothingKnown(const ObjectGuide& guide) {

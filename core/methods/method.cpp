@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 
 namespace chiaro::methods {
 
@@ -46,6 +47,17 @@ struct Shader {
 };
 
 }  // namespace
+
+glm::ivec2 pixelShowing(const scene::GBuffer& gbuffer, std::uint16_t object, glm::ivec2 pixel) {
+    static constexpr std::array<glm::ivec2, 9> steps{
+        {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
+    for (const glm::ivec2 step : steps) {
+        const glm::ivec2 beside = pixel + step;
+        if (gbuffer.objectId.contains(beside.x, beside.y) && gbuffer.objectId(beside.x, beside.y) == object)
+            return beside;
+    }
+    return {-1, -1};
+}
 
 Frame shade(const scene::GBuffer& gbuffer, const std::vector<const gradient::Gradient*>& gradients,
             const TextureLookup& texture, const Task& task) {

@@ -10,6 +10,10 @@ namespace chiaro::methods {
 /// each method.
 using TextureLookup = std::function<glm::vec3(std::uint16_t object, int x, int y, float light)>;
 
+/// The pixel whose centre speaks for an object at a pixel that shows it: itself, or beside the object's
+/// border a neighbour; (-1, -1) when none does.
+glm::ivec2 pixelShowing(const scene::GBuffer& gbuffer, std::uint16_t object, glm::ivec2 pixel);
+
 /// A finished picture: RGB and coverage.
 struct Frame {
     ColorAlphaImage

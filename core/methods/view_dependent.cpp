@@ -1,7 +1,6 @@
 #include "core/methods/view_dependent.h"
 
 #include <algorithm>
-#include <array>
 
 namespace chiaro::methods {
 
@@ -29,18 +28,6 @@ float cameraWeight(const ViewDependentPaint& paint, const views::View& view, glm
 glm::vec3 pointOn(const views::Surface& surface, std::uint32_t face, glm::vec3 weights) {
     return glm::vec3(surface.corner(face, 0)) * weights.x + glm::vec3(surface.corner(face, 1)) * weights.y +
            glm::vec3(surface.corner(face, 2)) * weights.z;
-}
-
-/// The pixel whose surface speaks for an object at this pixel: itself, or beside a border a neighbour.
-glm::ivec2 pixelOf(const scene::GBuffer& gbuffer, std::uint16_t object, glm::ivec2 pixel) {
-    static constexpr std::array<glm::ivec2, 9> steps{
-        {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
-    for (const glm::ivec2 step : steps) {
-        const glm::ivec2 beside = pixel + step;
-        if (gbuffer.objectId.contains(beside.x, beside.y) && gbuffer.objectId(beside.x, beside.y) == object)
-            return beside;
-    }
-    return {-1, -1};
 }
 
 }  // namespace
@@ -93,7 +80,7 @@ Frame renderViewDependent(const scene::GBuffer& gbuffer, const std::vector<ViewD
     return shade(
         gbuffer, gradients,
         [&](std::uint16_t object, int x, int y, float light) {
-            const glm::ivec2 pixel = pixelOf(gbuffer, object, {x, y});
+            const glm::ivec2 pixel = pixelShowing(gbuffer, object, {x, y});
             if (pixel.x < 0) return glm::vec3(0);
             return viewDependentTexture(paints[object - 1u], params, gbuffer.faceId(pixel.x, pixel.y),
                                         gbuffer.barycentrics(pixel.x, pixel.y), light);

@@ -21,16 +21,13 @@ bool FrameDrawer::initialize(Gl& gl) {
     if (!m_gbuffer.initialize(gl)) return false;
     gl.glGenVertexArrays(1, &m_noAttributes);
     return std::ranges::all_of(
-               m_methods,
-               [&](const auto& method) { return method.second->initialize(gl, m_gbuffer.samples()); }) &&
-           std::ranges::all_of(m_overlays, [&](const auto& overlay) { return overlay->initialize(gl); });
+        m_methods, [&](const auto& method) { return method.second->initialize(gl, m_gbuffer.samples()); });
 }
 
 void FrameDrawer::release(Gl& gl) {
     m_gbuffer.release(gl);
     m_paints.release(gl);
     for (const auto& [key, method] : m_methods) method->release(gl);
-    for (const auto& overlay : m_overlays) overlay->release(gl);
     gl.glDeleteVertexArrays(1, &m_noAttributes);
     m_noAttributes = 0;
 }
@@ -41,14 +38,6 @@ void FrameDrawer::clear(Gl& gl, const ViewState& state, QSize pixels, GLuint tar
     gl.glDisable(GL_DEPTH_TEST);
     gl.glClearColor(state.background.r, state.background.g, state.background.b, 1);
     gl.glClear(GL_COLOR_BUFFER_BIT);
-}
-
-void FrameDrawer::drawOverlays(Gl& gl, const ViewState& state, QSize pixels, GLuint target) {
-    if (m_overlays.empty()) return;
-    gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
-    gl.glViewport(0, 0, pixels.width(), pixels.height());
-    gl.glClear(GL_DEPTH_BUFFER_BIT);
-    for (const auto& overlay : m_overlays) overlay->draw(gl, state, pixels);
 }
 
 void FrameDrawer::shade(Gl& gl, MethodDrawer& method, std::size_t pass, int sample, const Area& area) {
@@ -100,7 +89,6 @@ bool FrameDrawer::draw(Gl& gl, const ViewState& state, QSize pixels, GLuint targ
     gl.glDisable(GL_SCISSOR_TEST);
     gl.glBindVertexArray(0);
     gl.glActiveTexture(GL_TEXTURE0);
-    drawOverlays(gl, state, pixels, target);
     return complete;
 }
 

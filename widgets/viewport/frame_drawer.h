@@ -2,7 +2,6 @@
 
 #include "widgets/viewport/gl_gbuffer.h"
 #include "widgets/viewport/method_drawer.h"
-#include "widgets/viewport/overlay.h"
 
 #include <map>
 #include <string>
@@ -10,15 +9,12 @@
 namespace chiaro::widgets {
 
 /// Draws a state by its method: the picture of core's renderer to within 2/255 on average inside the objects.
-/// First the G-buffer, then the passes of the method over the picture, then the overlays. Every call needs
-/// the context current.
+/// First the G-buffer, then the passes of the method over the picture. Every call needs the context
+/// current.
 class FrameDrawer {
 public:
     FrameDrawer();
     ~FrameDrawer();
-
-    /// Drawn after those that were added before. To be called before initialize().
-    void addOverlay(std::unique_ptr<Overlay> overlay) { m_overlays.push_back(std::move(overlay)); }
 
     /// False when the driver refuses; why is in the log.
     bool initialize(Gl& gl);
@@ -36,13 +32,11 @@ private:
         QRect covered;
     };
     void clear(Gl& gl, const ViewState& state, QSize pixels, GLuint target);
-    void drawOverlays(Gl& gl, const ViewState& state, QSize pixels, GLuint target);
     void shade(Gl& gl, MethodDrawer& method, std::size_t pass, int sample, const Area& area);
 
     GlGBuffer m_gbuffer;
     GlPaints m_paints;
     std::map<std::string, std::unique_ptr<MethodDrawer>> m_methods;  ///< by ViewState::method
-    std::vector<std::unique_ptr<Overlay>> m_overlays;
     GLuint m_noAttributes = 0;  ///< a vertex array, which drawing needs even without attributes
 };
 

@@ -121,9 +121,8 @@ TEST_P(BothSearches, ASampleSmallerThanABlockAndABlockLargerThanThePictureFill) 
         for (const glm::vec3& texel : texture.objects.at(0).pixels.pixels()) EXPECT_EQ(texel.b, 0.5f);
     }
     const ColorImage pixel(1, 1, glm::vec3(0.25f));
-    for (const glm::vec3& texel :
-         synthesizeImageBased(gbuffer, {&pixel}, small(8, 4, GetParam())).objects.at(0).pixels.pixels())
-        EXPECT_EQ(texel, glm::vec3(0.25f));
+    const ImageBasedTexture texture = synthesizeImageBased(gbuffer, {&pixel}, small(8, 4, GetParam()));
+    for (const glm::vec3& texel : texture.objects.at(0).pixels.pixels()) EXPECT_EQ(texel, glm::vec3(0.25f));
 }
 
 TEST_P(BothSearches, LightThatIsNowhereANumberIsOutside) {
