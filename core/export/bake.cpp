@@ -11,9 +11,6 @@ namespace chiaro::exporting {
 namespace {
 
 constexpr int bandHeight = 16;
-/// What the middle of a face counts for that is too small to meet a sample.
-constexpr float speckWeight = 1e-3f;
-
 struct FaceName {
     std::uint32_t object;
     std::uint32_t face;
@@ -82,35 +79,57 @@ public:
     }
 
 private:
+    /// Along each side of a cell; an odd number, so that one lies in its middle.
+    static constexpr int probes = 3;
+    /// A face that lies between all probes shows only where there is nothing else.
+    static constexpr std::uint8_t speckRank = 254, emptyRank = 255;
+
+    /// The place that a cell shows.
+    struct Cell {
+        FaceName name{0, 0};
+        glm::vec2 barycentrics{0};
+        std::uint8_t rank = emptyRank;  ///< by the distance from its middle
+    };
+
     void paintBand(std::size_t band) {
         const glm::ivec2 rows(int(band) * bandHeight, std::min(int(band + 1) * bandHeight, m_atlas.size));
-        Image<glm::vec4> sums(m_atlas.size, rows.y - rows.x, glm::vec4(0));  // and how many there are
-        for (const FaceName& name : m_bands.of(band)) {
-            const auto scan = TexelScan::of(m_atlas.objects[name.object].corners[name.face]);
-            if (!scan) continue;
-            bool isMet = false;
-            scan->scan(m_samples, rows, [&](glm::ivec2 texel, glm::vec2 place) {
-                isMet = true;
-                sums(texel.x, texel.y - rows.x) += glm::vec4(m_color(name.object, name.face, place), 1);
-            });
-            if (!isMet) addSpeck(name, rows, sums);
-        }
+        Image<Cell> cells(m_atlas.size * m_samples, (rows.y - rows.x) * m_samples);
+        for (const FaceName& name : m_bands.of(band)) cover(name, rows * m_samples, cells);
         for (int y = rows.x; y < rows.y; ++y)
             for (int x = 0; x < m_atlas.size; ++x) {
-                const glm::vec4& sum = sums(x, y - rows.x);
+                glm::vec4 sum(0);  // and how many there are
+                for (int i = 0; i < m_samples * m_samples; ++i) {
+                    const Cell& cell =
+                        cells(x * m_samples + i % m_samples, (y - rows.x) * m_samples + i / m_samples);
+                    if (cell.rank == emptyRank) continue;
+                    sum += glm::vec4(m_color(cell.name.object, cell.name.face, cell.barycentrics), 1);
+                }
                 if (!(sum.a > 0)) continue;
                 m_picture(x, y) = quantized(glm::vec3(sum) / sum.a);
                 m_covered(x, y) = 1;
             }
     }
 
-    /// A face between the samples decides its texel's colour only where nothing else does.
-    void addSpeck(const FaceName& name, glm::ivec2 rows, Image<glm::vec4>& sums) const {
-        const auto& [a, b, c] = m_atlas.objects[name.object].corners[name.face];
-        const glm::ivec2 texel((a + b + c) / 3.0f);
-        if (texel.y < rows.x || texel.y >= rows.y || texel.x < 0 || texel.x >= m_atlas.size) return;
-        sums(texel.x, texel.y - rows.x) +=
-            speckWeight * glm::vec4(m_color(name.object, name.face, glm::vec2(1.0f / 3)), 1);
+    /// Marks the cells of some rows that a face covers.
+    void cover(const FaceName& name, glm::ivec2 rows, Image<Cell>& cells) const {
+        std::array<glm::vec2, 3> corners = m_atlas.objects[name.object].corners[name.face];
+        for (glm::vec2& corner : corners) corner *= float(m_samples);
+        const auto scan = TexelScan::of(corners);
+        if (!scan) return;
+        const auto offer = [&](glm::ivec2 cell, glm::vec2 place, std::uint8_t rank) {
+            Cell& known = cells(cell.x, cell.y - rows.x);
+            if (rank < known.rank) known = {name, place, rank};
+        };
+        bool isMet = false;
+        scan->scan(probes, rows, [&](glm::ivec2 cell, int probe, glm::vec2 place) {
+            // The middle, its four neighbours, the corners.
+            static constexpr std::array<std::uint8_t, probes * probes> ranks{5, 1, 6, 2, 0, 3, 7, 4, 8};
+            isMet = true;
+            offer(cell, place, ranks[std::size_t(probe)]);
+        });
+        const glm::ivec2 middle((corners[0] + corners[1] + corners[2]) / 3.0f);
+        if (!isMet && middle.y >= rows.x && middle.y < rows.y && middle.x < cells.width())
+            offer(middle, glm::vec2(1.0f / 3), speckRank);
     }
 
     const Atlas& m_atlas;

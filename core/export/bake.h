@@ -21,9 +21,10 @@ struct BakeParams {
         true;  ///< let charts grow until they meet, so that no mip level shows anything between them
 };
 
-/// Paints an atlas: every texel that faces cover gets the mean of the samples that they cover, and what is
-/// left, the colour of the nearest such texel (or black). Rows in parallel; the bytes do not depend on the
-/// threads. Throws Cancelled.
+/// Paints an atlas. A texel is divided into samples x samples cells; each of which a face covers a part has
+/// the colour of the covered place nearest to its middle, and a texel the mean of its cells. Texels without
+/// any take the colour of the nearest one that has (or stay black). Rows in parallel; the bytes do not depend
+/// on the threads. Throws Cancelled.
 ByteImage bakeAtlas(const Atlas& atlas, const PlaceColor& color, const BakeParams& params,
                     const Task& task = {});
 

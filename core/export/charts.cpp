@@ -3,15 +3,11 @@
 #include "core/export/chart_pieces.h"
 
 #include <algorithm>
-#include <numeric>
-#include <optional>
 
 namespace chiaro::exporting {
 
 namespace {
 
-/// The least cosine between a face's normal and the direction that its chart is seen from.
-constexpr double leastFacing = 0.4;
 /// Charts are turned to a smaller box only when that saves this much of it: upright ones are easier to read.
 constexpr double worthTurning = 0.9;
 constexpr int turns = 24;
@@ -37,28 +33,22 @@ public:
         : m_surface(surface), m_object(object), m_isOpen(surface.faceCount(), false) {}
 
     std::vector<Chart> make(const Task& task) {
-        const std::vector<std::uint32_t> groups = chartGroups(m_surface);
-        std::vector<std::uint32_t> faces(m_surface.faceCount());
-        std::iota(faces.begin(), faces.end(), 0u);
-        for (Piece& piece : connectedPieces(m_surface, faces, [&](std::uint32_t a, std::uint32_t b) {
-                 return groups[a] == groups[b];
-             })) {
-            const std::uint32_t group = groups[piece.front()];
-            layFlat(std::move(piece), group, task);
-        }
+        for (Piece& piece : chartPieces(m_surface)) layFlat(std::move(piece), task);
         return std::move(m_charts);
     }
 
 private:
+    using Faces = std::vector<std::uint32_t>;
+
     /// As one chart, and what doesn't fit into it as further ones.
-    void layFlat(Piece piece, std::uint32_t group, const Task& task) {
-        std::vector<Piece> open{std::move(piece)};
+    void layFlat(Piece piece, const Task& task) {
+        std::vector<Faces> open{std::move(piece.faces)};
         while (!open.empty()) {
             task.checkpoint();
-            const Piece faces = std::move(open.back());
+            const Faces faces = std::move(open.back());
             open.pop_back();
-            const Piece rest = addChart(faces, direction(faces, group));
-            for (Piece& next : connectedPieces(m_surface, rest, [](auto, auto) { return true; }))
+            const Faces rest = addChart(faces, direction(faces, piece.group));
+            for (Faces& next : m_connector.parts(rest, [](auto, auto) { return true; }))
                 open.push_back(std::move(next));
         }
     }
@@ -68,14 +58,13 @@ private:
         return glm::dot(cross, direction) > leastFacing * glm::length(cross);
     }
 
-    /// From where most of the area is seen well; never from where the first face is not.
-    glm::dvec3 direction(const Piece& faces, std::uint32_t group) const {
+    /// From where most of the area is seen well.
+    glm::dvec3 direction(const Faces& faces, std::uint32_t group) const {
         glm::dvec3 sum(0);
         for (const std::uint32_t face : faces) sum += m_surface.cross(face);
         glm::dvec3 best = glm::normalize(m_surface.cross(faces.front()));
         double most = 0;
         const auto consider = [&](const glm::dvec3& candidate) {
-            if (!isSeen(faces.front(), candidate)) return;
             double seen = 0;
             for (const std::uint32_t face : faces)
                 if (isSeen(face, candidate)) seen += m_surface.area(face);
@@ -89,8 +78,9 @@ private:
         return best;
     }
 
-    /// Lays down the first face and what can be reached from it without overlapping; returns the others.
-    Piece addChart(const Piece& faces, const glm::dvec3& direction) {
+    /// Lays down the first face that is seen and what can be reached from it without overlapping; returns the
+    /// others.
+    Faces addChart(const Faces& faces, const glm::dvec3& direction) {
         const Plane plane(direction);
         const auto flat = [&](std::uint32_t face) {
             return FlatFace{plane(m_surface.corner(face, 0)), plane(m_surface.corner(face, 1)),
@@ -116,10 +106,10 @@ private:
             chart.faces.push_back(face);
             chart.corners.push_back(corners);
         };
-        lay(faces.front());
+        lay(*std::ranges::find_if(faces, [&](std::uint32_t face) { return isSeen(face, direction); }));
         for (std::size_t i = 0; i < chart.faces.size(); ++i)
             for (const std::uint32_t other : m_surface.neighbours(chart.faces[i])) lay(other);
-        Piece rest;
+        Faces rest;
         for (const std::uint32_t face : faces) {
             if (m_isOpen[face]) rest.push_back(face);
             m_isOpen[face] = false;
@@ -177,6 +167,7 @@ private:
     const PlacedSurface& m_surface;
     std::size_t m_object;
     bool m_isMirrored = m_surface.isMirrored();
+    FaceConnector m_connector{m_surface};
     std::vector<bool> m_isOpen;  ///< in the piece that is laid flat, and not yet in a chart
     std::vector<Chart> m_charts;
 };

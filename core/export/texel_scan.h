@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -30,8 +31,9 @@ public:
     glm::ivec2 low() const { return m_low; }
     glm::ivec2 high() const { return m_high; }
 
-    /// Calls visit(texel, barycentrics) for each of side x side samples, spread evenly over each texel, that
-    /// the face covers, its border included; only in the rows from rows.x up to but without rows.y.
+    /// Calls visit(texel, sample, barycentrics) for each of side x side samples, spread evenly over each
+    /// texel, that the face covers, its border included; only in the rows from rows.x up to but without
+    /// rows.y.
     template <class Visit>
     void scan(int side, glm::ivec2 rows, Visit visit) const {
         for (int y = std::max(m_low.y, rows.x); y < std::min(m_high.y, rows.y); ++y)
@@ -40,7 +42,7 @@ public:
                     const glm::dvec2 offset((sample % side + 0.5) / side, (sample / side + 0.5) / side);
                     const glm::dvec2 place = barycentricsAt(glm::dvec2(x, y) + offset);
                     if (place.x >= 0 && place.y >= 0 && place.x + place.y <= 1)
-                        visit(glm::ivec2(x, y), glm::vec2(place));
+                        visit(glm::ivec2(x, y), sample, glm::vec2(place));
                 }
     }
 

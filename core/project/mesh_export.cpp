@@ -135,14 +135,19 @@ private:
         return exporting::makeAtlas(places, {m_params.atlas, m_params.padding}, task);
     }
 
-    /// At least two along a texel's side, more where a texel holds more than one of the views' texels.
+    /// One where the views' textures are magnified, more where a texel holds more than one of theirs.
     int samplesFor(const exporting::Atlas& atlas) const {
-        double finest = 0;
-        for (std::size_t i = 0; i < m_scene.objects.size(); ++i)
-            for (const views::FaceGroup& group : m_painted[i]->planned->plan.groups)
-                finest = std::max(finest, group.view.texelsPerUnit() / scaleOf(m_scene.objects[i]));
-        const double density = std::max(atlas.report.densityP5, 1e-300);
-        return int(std::clamp(std::ceil(2 * finest / density), 2.0, 6.0));
+        double texels = 0, total = 0;  // of the views for a unit of length, by area
+        for (std::size_t i = 0; i < m_scene.objects.size(); ++i) {
+            const methods::PlannedObject& planned = *m_painted[i]->planned;
+            const double scale = scaleOf(m_scene.objects[i]);
+            const double area = planned.surface.totalArea() * scale * scale;
+            if (planned.plan.groups.empty() || !(scale > 0)) continue;
+            texels += area * planned.plan.groups[0].view.texelsPerUnit() / scale;
+            total += area;
+        }
+        if (!(total > 0) || !(atlas.report.densityP5 > 0)) return 1;
+        return int(std::clamp(std::ceil(1.25 * texels / total / atlas.report.densityP5), 1.0, 5.0));
     }
 
     void colorVertices(const exporting::SurfacePaint& paint, ExportedMesh& result, const Task& task) const {
