@@ -33,7 +33,7 @@ void checkMeshOutput(const fs::path& path, bool mayReplace) {
     for (const fs::path& file : filesOf(path)) {
         std::error_code ignored;
         if (!mayReplace && fs::exists(file, ignored) && !fs::is_directory(file, ignored))
-            throw Error(file.string(), "is there already", "choose another name, or let it be overwritten");
+            throw Error(file.string(), "is there already", "choose another name, or --overwrite");
         // A missing folder is made when there is something to put into it.
         if (!file.has_parent_path() || fs::exists(file.parent_path(), ignored)) AtomicFile(file).write("");
     }
