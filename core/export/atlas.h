@@ -41,8 +41,8 @@ struct Atlas {
 };
 
 /// Lays out every face: charts come from the face groups of the objects' plans (§4.3, see makeCharts), each
-/// of them connected, and are as large as the atlas has room for; where so many are needed that their padding
-/// alone would fill it, that shrinks. A face without area lies in one point, of a neighbour if it has one.
+/// of them connected, and are as large as the atlas has room for; where so many are needed that most of it
+/// would be padding, that shrinks. A face without area lies in one point, of a neighbour if it has one.
 /// The transforms are invertible. Deterministic for any number of threads. Throws Error when a parameter is
 /// out of range or even a texel a chart is too much, Cancelled.
 Atlas makeAtlas(const std::vector<PlannedPlace>& places, const AtlasParams& params, const Task& task = {});

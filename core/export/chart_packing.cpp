@@ -13,6 +13,9 @@ namespace {
 
 /// The largest scale is found to within this factor.
 constexpr double accuracy = 1.004;
+/// Charts that fill less of the atlas than this had better have less padding, but not less than some texels.
+constexpr double leastFilled = 0.15;
+constexpr int leastPadding = 2;
 
 class Packer {
 public:
@@ -78,7 +81,8 @@ std::optional<ChartPacking> packCharts(const std::vector<Chart>& charts, int siz
             else
                 high = middle;
         }
-        if (best || padding == 0) return best;
+        const bool isFilled = best && area * best->scale * best->scale > leastFilled * size * size;
+        if (isFilled || (best && padding < 2 * leastPadding) || padding == 0) return best;
     }
 }
 

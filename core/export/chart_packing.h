@@ -14,8 +14,9 @@ struct ChartPacking {
     std::vector<glm::dvec2> origins;  ///< of each chart's top left corner, texels
 };
 
-/// Packs charts into a square, as large as there is room for, all by the same scale. When they don't fit at a
-/// texel each, the padding is halved until they do. Empty when even no padding helps. Throws Cancelled.
+/// Packs charts into a square, as large as there is room for, all by the same scale. Where that is mostly
+/// padding, this is halved while it is 4 texels or more; where charts don't fit at a texel each, until they
+/// do. Empty when even no padding helps. Throws Cancelled.
 std::optional<ChartPacking> packCharts(const std::vector<Chart>& charts, int size, int padding,
                                        const Task& task = {});
 

@@ -2,6 +2,8 @@
 
 #include "core/scene/mesh_edges.h"
 
+#include <algorithm>
+
 namespace chiaro::exporting {
 
 PlacedSurface::PlacedSurface(const PlannedPlace& place)
@@ -28,13 +30,16 @@ glm::dvec3 PlacedSurface::towardsEye(std::size_t group) const {
 void PlacedSurface::findNeighbours() {
     const scene::Mesh& mesh = m_planned.surface.mesh();
     const std::vector<scene::Edge> edges = scene::sortedEdges(mesh, scene::weldedIndices(mesh));
-    // Where many faces share an edge each is linked to the next one, which connects them all.
+    // At an edge of a sheet with a front and a back four faces meet, and only two of them go on into each
+    // other; where very many do, each is linked to the next few.
+    constexpr std::size_t most = 8;
     const auto eachPair = [&](auto&& visit) {
         scene::forEachEdge(edges, [&](std::span<const scene::Edge> shared) {
-            for (std::size_t i = 1; i < shared.size(); ++i) {
-                visit(shared[i - 1].face, shared[i].face);
-                visit(shared[i].face, shared[i - 1].face);
-            }
+            for (std::size_t i = 0; i < shared.size(); ++i)
+                for (std::size_t j = i + 1; j < std::min(shared.size(), i + most); ++j) {
+                    visit(shared[i].face, shared[j].face);
+                    visit(shared[j].face, shared[i].face);
+                }
         });
     };
     m_first.assign(faceCount() + 1, 0);

@@ -39,11 +39,34 @@ void checkMeshOutput(const fs::path& path, bool mayReplace) {
     }
 }
 
+bool hasModelledBacks(const scene::Mesh& mesh) {
+    const std::vector<std::uint32_t> welded = scene::weldedIndices(mesh);
+    struct Face {
+        scene::Triangle corners;  ///< ascending
+        bool isTurned;            ///< against the order that the face has them in
+    };
+    std::vector<Face> faces;
+    for (const scene::Triangle& triangle : mesh.triangles) {
+        scene::Triangle corners{welded[triangle[0]], welded[triangle[1]], welded[triangle[2]]};
+        std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
+        const bool isTurned = corners[1] > corners[2];
+        if (isTurned) std::swap(corners[1], corners[2]);
+        faces.push_back({corners, isTurned});
+    }
+    std::ranges::sort(faces, {}, &Face::corners);
+    std::size_t paired = 0;
+    for (std::size_t i = 1; i < faces.size(); ++i)
+        if (faces[i].corners == faces[i - 1].corners && faces[i].isTurned != faces[i - 1].isTurned)
+            paired += 2;
+    return 4 * paired > faces.size();
+}
+
 TexturedObject withCoordinates(const scene::Object& object, const AtlasFaces& faces, int atlasSize) {
     const scene::Mesh& mesh = *object.mesh;
     TexturedObject result;
     result.name = object.name;
     result.transform = object.transform;
+    result.isDoubleSided = !hasModelledBacks(mesh);
     result.triangles.resize(mesh.triangles.size());
     // Chart after chart, so that a vertex knows by its last chart whether it is there already.
     std::vector<std::uint32_t> order(mesh.triangles.size());

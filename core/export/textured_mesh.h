@@ -31,6 +31,9 @@ struct TexturedObject {
     std::vector<glm::vec2> coordinates;  ///< in the texture, in [0, 1], y down; empty without one
     std::vector<glm::u8vec3> colors;     ///< of each vertex, display-referred; empty with a texture
     std::vector<scene::Triangle> triangles;
+    /// To be shown from behind too. Not where backs are modelled as faces of their own in the same place: a
+    /// viewer couldn't tell which of the two lies in front.
+    bool isDoubleSided = true;
 };
 
 /// Painted objects, ready to be written.
@@ -40,12 +43,15 @@ struct TexturedScene {
     Bake bake = Bake::Lit;
 };
 
+/// Whether a good part of a mesh's faces have another one in the same place that looks the other way.
+bool hasModelledBacks(const scene::Mesh& mesh);
+
 /// The object with its vertices split where charts meet.
 TexturedObject withCoordinates(const scene::Object& object, const AtlasFaces& faces, int atlasSize);
 
 /// Writes the files of a mesh, all or none:
-/// - .glb holds everything in one file: a node an object with its name and place, one picture, one
-///   double-sided material without metal or gloss. With the scene's light baked in it asks to be shown as it
+/// - .glb holds everything in one file: a node an object with its name and place, one picture, a material
+///   without metal or gloss. With the scene's light baked in it asks to be shown as it
 ///   is (KHR_materials_unlit, which a viewer may not know);
 /// - .obj with .mtl and .png beside it, objects at their places in the world;
 /// - .ply holds all objects as one, a colour a vertex.

@@ -2,6 +2,7 @@
 #include "core/export/mesh_writers.h"
 #include "core/scene/tinygltf.h"
 
+#include <array>
 #include <bit>
 #include <cstring>
 #include <sstream>
@@ -33,7 +34,7 @@ public:
         m_model.defaultScene = 0;
     }
 
-    void addMaterial(const std::string& png, const TexturedScene& scene, const ImageMetadata& metadata) {
+    void addTexture(const std::string& png, const TexturedScene& scene, const ImageMetadata& metadata) {
         const auto software = metadata.find("Software");
         m_model.asset.generator = software == metadata.end() ? "Chiaro" : software->second;
         tinygltf::Image image;
@@ -50,17 +51,7 @@ public:
         texture.sampler = 0;
         texture.source = 0;
         m_model.textures.push_back(texture);
-        tinygltf::Material material;
-        material.name = "paint";
-        material.doubleSided = true;
-        material.pbrMetallicRoughness.baseColorTexture.index = 0;
-        material.pbrMetallicRoughness.metallicFactor = 0;
-        material.pbrMetallicRoughness.roughnessFactor = 1;
-        if (scene.bake == Bake::Lit) {
-            material.extensions[unlit] = tinygltf::Value(tinygltf::Value::Object());
-            m_model.extensionsUsed.push_back(unlit);
-        }
-        m_model.materials.push_back(std::move(material));
+        if (scene.bake == Bake::Lit) m_model.extensionsUsed.push_back(unlit);
     }
 
     void addObject(const TexturedObject& object) {
@@ -75,7 +66,7 @@ public:
         }
         tinygltf::Primitive primitive;
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
-        primitive.material = 0;
+        primitive.material = material(object.isDoubleSided);
         primitive.attributes["POSITION"] = addVectors(positions, TINYGLTF_TYPE_VEC3);
         tinygltf::Accessor& accessor = m_model.accessors.back();
         glm::vec3 low = positions[0], high = low;
@@ -112,6 +103,22 @@ public:
     }
 
 private:
+    /// The paint, made when an object wears it first.
+    int material(bool isDoubleSided) {
+        int& known = m_materials[isDoubleSided];
+        if (known >= 0) return known;
+        tinygltf::Material material;
+        material.name = isDoubleSided ? "paint" : "paint, front only";
+        material.doubleSided = isDoubleSided;
+        material.pbrMetallicRoughness.baseColorTexture.index = 0;
+        material.pbrMetallicRoughness.metallicFactor = 0;
+        material.pbrMetallicRoughness.roughnessFactor = 1;
+        if (!m_model.extensionsUsed.empty())
+            material.extensions[unlit] = tinygltf::Value(tinygltf::Value::Object());
+        m_model.materials.push_back(std::move(material));
+        return known = int(m_model.materials.size()) - 1;
+    }
+
     int addView(const void* bytes, std::size_t size, int target) {
         std::vector<unsigned char>& data = m_model.buffers[0].data;
         data.resize((data.size() + 3) / 4 * 4);
@@ -158,6 +165,7 @@ private:
     }
 
     tinygltf::Model m_model;
+    std::array<int, 2> m_materials{-1, -1};
 };
 
 }  // namespace
@@ -165,7 +173,7 @@ private:
 std::string glbBytes(const std::filesystem::path& path, const TexturedScene& scene,
                      const ImageMetadata& metadata) {
     GlbBuilder builder;
-    builder.addMaterial(pngBytes(path, scene.texture, metadata), scene, metadata);
+    builder.addTexture(pngBytes(path, scene.texture, metadata), scene, metadata);
     for (const TexturedObject& object : scene.objects) builder.addObject(object);
     return builder.bytes(path);
 }

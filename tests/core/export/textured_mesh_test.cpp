@@ -131,6 +131,16 @@ TEST(WriteTexturedScene, TellsViewersHowToShowIt) {
     EXPECT_FALSE(test::readGlb(folder / "texture.glb").isUnlit);
 }
 
+TEST(HasModelledBacks, TellsSheetsWithTwoSides) {
+    const scene::Mesh front = test::square(0);
+    scene::Mesh back = front;
+    for (scene::Triangle& triangle : back.triangles) std::swap(triangle[0], triangle[1]);
+    EXPECT_FALSE(hasModelledBacks(front));
+    EXPECT_FALSE(hasModelledBacks(scene::merged({front, front})));
+    EXPECT_TRUE(hasModelledBacks(scene::merged({front, back})));
+    EXPECT_FALSE(hasModelledBacks(test::box({0, 0, 0}, glm::vec3(1))));
+}
+
 TEST(WriteTexturedScene, GivesTheSameBytesAgain) {
     const TemporaryFolder folder;
     for (const char* extension : {".glb", ".obj", ".ply"}) {
