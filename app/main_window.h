@@ -21,6 +21,7 @@ class Viewport;
 
 namespace chiaro::app {
 
+class Exporter;
 class GradientDock;
 class MethodSwitch;
 class ParametersDock;
@@ -59,7 +60,6 @@ public Q_SLOTS:
     /// False when the artist changed their mind or the disk refused.
     bool save();
     bool saveAs();
-    void exportPicture();
     void showError(const QString& message);
     void showNote(const QString& message);
 
@@ -114,6 +114,7 @@ private:
     ParametersDock* m_parametersDock = nullptr;
     ViewPlanningDock* m_viewsDock = nullptr;
     ViewOverlays* m_viewOverlays = nullptr;
+    Exporter* m_exporter = nullptr;
     RecentFiles* m_recent = nullptr;
     QLabel* m_frameTime = nullptr;
     QByteArray m_standardState;

@@ -88,7 +88,9 @@ struct ExportCommand {
 
 void addExportCommand(CLI::App& root, Session& session) {
     CLI::App* command = root.add_subcommand(
-        "export", "Write the painted mesh for other programs: GLB, OBJ with a picture, or PLY");
+        "export",
+        "Write the painted mesh for other programs: GLB, OBJ with a picture, or PLY (§4.3 for the views that "
+        "lay it flat)");
     auto state = std::make_shared<ExportCommand>();
     state->source.addTo(*command);
     command
