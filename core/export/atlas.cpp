@@ -80,7 +80,7 @@ void measureCoverage(const Atlas& atlas, AtlasReport& report) {
         for (const std::array<glm::vec2, 3>& corners : object.corners) {
             const auto scan = TexelScan::of(corners);
             if (!scan) continue;
-            scan->scan(1, {0, atlas.size}, [&](glm::ivec2 texel, int, glm::vec2 barycentrics) {
+            scan->scan({0, atlas.size}, [&](glm::ivec2 texel, glm::vec2 barycentrics) {
                 std::uint8_t& count = inside(texel.x, texel.y);
                 if (scan->distanceToBorder(barycentrics) > border)
                     count = std::uint8_t(std::min(count + 2, 254) & ~1);

@@ -79,22 +79,23 @@ public:
     }
 
 private:
-    /// Along each side of a cell; an odd number, so that one lies in its middle.
-    static constexpr int probes = 3;
-    /// A face that lies between all probes shows only where there is nothing else.
-    static constexpr std::uint8_t speckRank = 254, emptyRank = 255;
+    /// Ranks of the places that a cell may show: its middle, the others of 3 x 3, and, where none of them is
+    /// covered, the middle of a face that lies between them.
+    static constexpr std::uint8_t middleRank = 0, speckRank = 254, emptyRank = 255;
 
     /// The place that a cell shows.
     struct Cell {
         FaceName name{0, 0};
         glm::vec2 barycentrics{0};
-        std::uint8_t rank = emptyRank;  ///< by the distance from its middle
+        std::uint8_t rank = emptyRank;
     };
 
     void paintBand(std::size_t band) {
         const glm::ivec2 rows(int(band) * bandHeight, std::min(int(band + 1) * bandHeight, m_atlas.size));
         Image<Cell> cells(m_atlas.size * m_samples, (rows.y - rows.x) * m_samples);
-        for (const FaceName& name : m_bands.of(band)) cover(name, rows * m_samples, cells);
+        // Most cells have a middle that a face covers, and need no closer look.
+        for (const FaceName& name : m_bands.of(band)) coverMiddles(name, rows * m_samples, cells);
+        for (const FaceName& name : m_bands.of(band)) coverRest(name, rows * m_samples, cells);
         for (int y = rows.x; y < rows.y; ++y)
             for (int x = 0; x < m_atlas.size; ++x) {
                 glm::vec4 sum(0);  // and how many there are
@@ -110,26 +111,42 @@ private:
             }
     }
 
-    /// Marks the cells of some rows that a face covers.
-    void cover(const FaceName& name, glm::ivec2 rows, Image<Cell>& cells) const {
+    /// In cells.
+    std::array<glm::vec2, 3> cornersOf(const FaceName& name) const {
         std::array<glm::vec2, 3> corners = m_atlas.objects[name.object].corners[name.face];
         for (glm::vec2& corner : corners) corner *= float(m_samples);
+        return corners;
+    }
+
+    void coverMiddles(const FaceName& name, glm::ivec2 rows, Image<Cell>& cells) const {
+        const auto scan = TexelScan::of(cornersOf(name));
+        if (!scan) return;
+        scan->scan(rows, [&](glm::ivec2 place, glm::vec2 barycentrics) {
+            Cell& cell = cells(place.x, place.y - rows.x);
+            if (cell.rank != middleRank) cell = {name, barycentrics, middleRank};
+        });
+    }
+
+    void coverRest(const FaceName& name, glm::ivec2 rows, Image<Cell>& cells) const {
+        static constexpr std::array<glm::vec2, 8> steps{
+            {{0, -1}, {-1, 0}, {1, 0}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
+        const std::array<glm::vec2, 3> corners = cornersOf(name);
         const auto scan = TexelScan::of(corners);
         if (!scan) return;
-        const auto offer = [&](glm::ivec2 cell, glm::vec2 place, std::uint8_t rank) {
-            Cell& known = cells(cell.x, cell.y - rows.x);
-            if (rank < known.rank) known = {name, place, rank};
-        };
-        bool isMet = false;
-        scan->scan(probes, rows, [&](glm::ivec2 cell, int probe, glm::vec2 place) {
-            // The middle, its four neighbours, the corners.
-            static constexpr std::array<std::uint8_t, probes * probes> ranks{5, 1, 6, 2, 0, 3, 7, 4, 8};
-            isMet = true;
-            offer(cell, place, ranks[std::size_t(probe)]);
-        });
+        for (int y = std::max(scan->low().y, rows.x); y < std::min(scan->high().y, rows.y); ++y)
+            for (int x = scan->low().x; x < std::min(scan->high().x, cells.width()); ++x) {
+                Cell& cell = cells(x, y - rows.x);
+                for (std::uint8_t i = 0; i < steps.size() && i + 1 < cell.rank; ++i) {
+                    const glm::vec2 place = glm::vec2(x, y) + 0.5f + steps[i] / 3.0f;
+                    const glm::dvec2 barycentrics = scan->barycentricsAt(glm::dvec2(place));
+                    if (TexelScan::isInside(barycentrics))
+                        cell = {name, glm::vec2(barycentrics), std::uint8_t(i + 1)};
+                }
+            }
         const glm::ivec2 middle((corners[0] + corners[1] + corners[2]) / 3.0f);
-        if (!isMet && middle.y >= rows.x && middle.y < rows.y && middle.x < cells.width())
-            offer(middle, glm::vec2(1.0f / 3), speckRank);
+        if (middle.y < rows.x || middle.y >= rows.y || middle.x >= cells.width()) return;
+        Cell& cell = cells(middle.x, middle.y - rows.x);
+        if (cell.rank == emptyRank) cell = {name, glm::vec2(1.0f / 3), speckRank};
     }
 
     const Atlas& m_atlas;

@@ -9,7 +9,7 @@
 
 namespace chiaro::exporting {
 
-/// Finds the samples of an atlas that one face covers.
+/// Finds the texels of an atlas that one face covers.
 class TexelScan {
 public:
     /// `corners` in texels. Empty for a face that has no area there.
@@ -31,21 +31,22 @@ public:
     glm::ivec2 low() const { return m_low; }
     glm::ivec2 high() const { return m_high; }
 
-    /// Calls visit(texel, sample, barycentrics) for each of side x side samples, spread evenly over each
-    /// texel, that the face covers, its border included; only in the rows from rows.x up to but without
-    /// rows.y.
+    /// Calls visit(texel, barycentrics) for each texel whose centre the face covers, its border included;
+    /// only in the rows from rows.x up to but without rows.y.
     template <class Visit>
-    void scan(int side, glm::ivec2 rows, Visit visit) const {
-        for (int y = std::max(m_low.y, rows.x); y < std::min(m_high.y, rows.y); ++y)
-            for (int x = m_low.x; x < m_high.x; ++x)
-                for (int sample = 0; sample < side * side; ++sample) {
-                    const glm::dvec2 offset((sample % side + 0.5) / side, (sample / side + 0.5) / side);
-                    const glm::dvec2 place = barycentricsAt(glm::dvec2(x, y) + offset);
-                    if (place.x >= 0 && place.y >= 0 && place.x + place.y <= 1)
-                        visit(glm::ivec2(x, y), sample, glm::vec2(place));
-                }
+    void scan(glm::ivec2 rows, Visit visit) const {
+        for (int y = std::max(m_low.y, rows.x); y < std::min(m_high.y, rows.y); ++y) {
+            const glm::dvec2 first = barycentricsAt({m_low.x + 0.5, y + 0.5});
+            for (int x = m_low.x; x < m_high.x; ++x) {
+                const glm::dvec2 place = first + m_toBarycentrics[0] * double(x - m_low.x);
+                if (isInside(place)) visit(glm::ivec2(x, y), glm::vec2(place));
+            }
+        }
     }
 
+    static bool isInside(const glm::dvec2& barycentrics) {
+        return barycentrics.x >= 0 && barycentrics.y >= 0 && barycentrics.x + barycentrics.y <= 1;
+    }
     /// Weights of the second and third corner at a place, texels.
     glm::dvec2 barycentricsAt(const glm::dvec2& place) const { return m_toBarycentrics * (place - m_origin); }
 
