@@ -3,8 +3,8 @@
 namespace chiaro::exporting {
 
 SurfacePaint::SurfacePaint(const scene::Scene& scene, std::vector<methods::ViewDependentPaint> paints,
-                           methods::ViewDependentParams params, Bake bake)
-    : m_scene(scene), m_paints(std::move(paints)), m_params(params), m_bake(bake) {
+                           methods::ViewDependentParams params, Meeting meeting, Bake bake)
+    : m_scene(scene), m_paints(std::move(paints)), m_params(params), m_meeting(meeting), m_bake(bake) {
     m_params.followCamera = false;
     for (const scene::Object& object : scene.objects)
         m_normalMatrices.push_back(glm::transpose(glm::inverse(glm::mat3(object.transform))));
@@ -32,8 +32,29 @@ float SurfacePaint::light(std::size_t object, std::uint32_t face, glm::vec2 bary
 glm::vec3 SurfacePaint::color(std::size_t object, std::uint32_t face, glm::vec2 barycentrics) const {
     const methods::ViewDependentPaint& paint = m_paints[object];
     const float l = light(object, face, barycentrics);
-    const glm::vec3 texture = methods::viewDependentTexture(paint, m_params, face, barycentrics, l);
+    const bool isPicture = m_meeting == Meeting::Pictures && paint.object;
+    const glm::vec3 texture = isPicture
+                                  ? ofPictures(*paint.object, face, barycentrics)
+                                  : methods::viewDependentTexture(paint, m_params, face, barycentrics, l);
     return glm::clamp(gradient::lookUp(*paint.gradient, double(l)) + texture, 0.0f, 1.0f);
+}
+
+glm::vec3 SurfacePaint::ofPictures(const methods::PaintedObject& painted, std::uint32_t face,
+                                   glm::vec2 barycentrics) const {
+    const glm::vec3 weights(1 - barycentrics.x - barycentrics.y, barycentrics);
+    glm::vec3 sum(0);
+    float squares = 0;
+    for (const methods::ViewWeights::FaceView& view : painted.weights->of(face)) {
+        const methods::ViewTexture& texture = painted.textures.views[view.group];
+        if (texture.levels.empty()) continue;
+        const auto& [a, b, c] = view.corners;
+        const float linear = a.weight * weights.x + b.weight * weights.y + c.weight * weights.z;
+        const float weight = linear * linear * linear * linear;
+        sum +=
+            weight * texture.at(0, a.position * weights.x + b.position * weights.y + c.position * weights.z);
+        squares += weight * weight;
+    }
+    return squares > 0 ? sum / std::sqrt(squares) : sum;
 }
 
 }  // namespace chiaro::exporting

@@ -64,7 +64,7 @@ public:
         ExportedMesh result;
         result.scene.bake = m_params.bake;
         prepareObjects(scene, task.part(0, 0.4));
-        const exporting::SurfacePaint paint(m_scene, paints(), viewParams(), m_params.bake);
+        const exporting::SurfacePaint paint = surfacePaint(paints());
         if (format == MeshFormat::Ply) {
             colorVertices(paint, result, task.part(0.4, 1));
             result.bakeSeconds = lap();
@@ -104,9 +104,8 @@ private:
         painted->planned = planObject(m_project, scene, m_places[i], task.part(0, 0.3));
         painted->weights =
             std::make_shared<const methods::ViewWeights>(*painted->planned, m_project.views.epsilon);
-        const exporting::SurfacePaint unpainted(m_scene, {}, viewParams(), m_params.bake);
         painted->textures = exporting::paintViews(
-            *painted->planned, *painted->weights, i, unpainted,
+            *painted->planned, *painted->weights, i, surfacePaint({}),
             [this](const scene::GBuffer& guide, const Task& part) {
                 return renderFrame(m_project, m_worn, guide, part).frame;
             },
@@ -121,11 +120,10 @@ private:
         return paints;
     }
 
-    methods::ViewDependentParams viewParams() const {
-        methods::ViewDependentParams params = m_project.viewDependent;
-        // Pictures of different views don't agree; their mean would have less contrast than the paint.
-        if (!renderMethod(m_project.method).usesViews) params.blend = methods::Blend::Preserving;
-        return params;
+    exporting::SurfacePaint surfacePaint(std::vector<methods::ViewDependentPaint> paints) const {
+        const auto meeting = renderMethod(m_project.method).usesViews ? exporting::Meeting::Agreed
+                                                                      : exporting::Meeting::Pictures;
+        return {m_scene, std::move(paints), m_project.viewDependent, meeting, m_params.bake};
     }
 
     exporting::Atlas makeAtlas(const Task& task) const {

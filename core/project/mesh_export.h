@@ -25,9 +25,9 @@ struct ExportedMesh {
 };
 
 /// Paints the visible objects of a scene for a mesh file. View-dependent textures are evaluated on the
-/// surface; the other methods paint a picture of each view of the objects' plans, which are blended on the
-/// surface by the same weights. `worn` as from wornPaints(). Deterministic for any number of threads. Throws
-/// Error when no object is visible or the atlas is too small, Cancelled.
+/// surface; the other methods paint a picture of each view of the objects' plans, and each place shows the
+/// one that faces it best, or a blend of two. `worn` as from wornPaints(). Deterministic for any number of
+/// threads. Throws Error when no object is visible or the atlas is too small, Cancelled.
 ExportedMesh paintMesh(const Project& project, const scene::Scene& scene, const WornPaints& worn,
                        exporting::MeshFormat format, const MeshExportParams& params, const Task& task = {});
 
