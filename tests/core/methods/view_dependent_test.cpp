@@ -78,6 +78,21 @@ double overlapCorrelation(const PaintedObject& object) {
     return sum / std::sqrt(first * second);
 }
 
+TEST(PlanObject, GivesAllViewsOfAnObjectMapsOfOneDensity) {
+    scene::Mesh needle = test::ball(24, 12);
+    for (glm::vec3& position : needle.positions) position.x *= 3;
+    const auto object = planned(std::move(needle), 256);
+    int largest = 0;
+    double least = 1e9, most = 0;
+    for (const views::FaceGroup& group : object->plan.groups) {
+        largest = std::max(largest, group.view.size);
+        least = std::min(least, group.view.texelsPerUnit());
+        most = std::max(most, group.view.texelsPerUnit());
+    }
+    EXPECT_EQ(largest, 256);
+    EXPECT_LT(most, 1.01 * least);
+}
+
 TEST(ViewTextures, ViewsAgreeOnTheFacesTheyShareWhenTheyPropagate) {
     const double with = overlapCorrelation(*painted(test::ball(48, 24)));
     const double without = overlapCorrelation(*painted(test::ball(48, 24), false));
