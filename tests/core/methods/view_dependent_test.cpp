@@ -211,6 +211,20 @@ TEST(ViewDependent, FollowingTheCameraFavoursTheViewsNearIt) {
     EXPECT_GT(faces, 20);
 }
 
+/// Too small for any texel's centre, and inside the ball, so that it has a view of its own.
+TEST(ViewDependent, PaintsASpeckThatItsViewHasNoTexelFor) {
+    scene::Mesh mesh = test::ball(16, 8);
+    const auto first = std::uint32_t(mesh.positions.size()), face = std::uint32_t(mesh.triangles.size());
+    for (const glm::vec3 corner : {glm::vec3(0), glm::vec3(1e-4f, 0, 0), glm::vec3(0, 1e-4f, 5e-5f)}) {
+        mesh.positions.push_back(glm::vec3(0.0123f, 0.0377f, 0.0211f) + corner);
+        mesh.normals.push_back(glm::vec3(0, 0, 1));
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    const auto object = painted(std::move(mesh));
+    ASSERT_FALSE(object->weights->of(face).empty());
+    EXPECT_NE(viewDependentTexture({object.get(), nullptr, {}}, {}, face, {0.3f, 0.3f}, 0.5f), glm::vec3(0));
+}
+
 TEST(ViewDependent, PaintsEveryPixelOfOddMeshes) {
     scene::Mesh tiny = test::ball(16, 8), huge = test::ball(16, 8), single = test::quad();
     for (glm::vec3& position : tiny.positions) position *= 1e-6f;
