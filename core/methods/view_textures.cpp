@@ -254,7 +254,8 @@ std::shared_ptr<const PlannedObject> planObject(std::shared_ptr<const scene::Mes
                                                 const views::ViewParams& params,
                                                 const std::vector<views::View>& kept, const Task& task) {
     views::Surface surface(std::move(mesh));
-    views::ViewPlan plan = views::planViews(surface, params, kept, task);
+    views::ViewPlan plan = views::withSteepFacesSeen(
+        surface, views::planViews(surface, params, kept, task.part(0, 0.8)), params, task.part(0.8, 1));
     evenDensity(plan);
     return std::make_shared<const PlannedObject>(PlannedObject{std::move(surface), std::move(plan)});
 }

@@ -12,9 +12,9 @@ struct PlannedObject {
     views::ViewPlan plan;
 };
 
-/// Plans an object's views (§4.3.1 to 3). The map of the view that shows most across is as large as the
-/// params say, the others as much smaller as they come closer: strokes are then of one size from all views.
-/// Throws Error, Cancelled.
+/// Plans an object's views (§4.3.1 to 3), with further ones of what they show steeply only. The map of the
+/// view that shows most across is as large as the params say, the others as much smaller as they come closer:
+/// strokes are then of one size from all views. Throws Error, Cancelled.
 std::shared_ptr<const PlannedObject> planObject(std::shared_ptr<const scene::Mesh> mesh,
                                                 const views::ViewParams& params,
                                                 const std::vector<views::View>& kept = {},
