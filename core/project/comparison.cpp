@@ -7,7 +7,7 @@
 #include "core/project/render_method.h"
 
 #include <algorithm>
-#include <map>
+#include <functional>
 
 namespace chiaro::project {
 
@@ -86,7 +86,7 @@ public:
         for (const MeasuredSample& sample : m_samples) {
             const IdImage objects = only(gbuffer.objectId, sample);
             const metrics::MeasuredFrame frame{&picture, &objects, &gbuffer.light, 0};
-            if (!isMeasurable(frame)) continue;
+            if (!metrics::anyPixel(metrics::measurable(frame, m_params.block))) continue;
             const metrics::FrameMeasure made = metrics::measureFrame(sample.index, frame, params(seed));
             measures.similarity.add(made.similarity);
             measures.shading.add(*made.shadingAbsolute);
@@ -105,13 +105,13 @@ public:
                           after = only(second.gbuffer->objectId, sample);
             const metrics::MeasuredFrame a{&firstPicture, &before, nullptr, 0},
                 b{&secondPicture, &after, nullptr, 0};
-            try {
-                measures.image.add(metrics::imageCoherence(sample.index.bins(), a, b, params(seed)));
-                measures.object.add(metrics::objectCoherence(sample.index.bins(), a, b,
-                                                             {&displacement, &seen}, params(seed)));
-            } catch (const Error&) {
-                continue;  // too little of these objects to be seen in both frames
-            }
+            const metrics::SurfaceMotion motion{&displacement, &seen};
+            const metrics::Bins& bins = sample.index.bins();
+            // Objects may be too small, or hidden, in one of the frames.
+            if (metrics::anyPixel(metrics::comparableInImage(a, b, m_params.block)))
+                measures.image.add(metrics::imageCoherence(bins, a, b, params(seed)));
+            if (metrics::anyPixel(metrics::comparableOnObject(a, b, motion, m_params.block)))
+                measures.object.add(metrics::objectCoherence(bins, a, b, motion, params(seed)));
         }
     }
 
@@ -127,10 +127,6 @@ private:
             if (!sample.wears[id]) id = 0;
         return objects;
     }
-    bool isMeasurable(const metrics::MeasuredFrame& frame) const {
-        const auto mask = metrics::measurable(frame, m_params.block);
-        return std::ranges::any_of(mask.pixels(), [](std::uint8_t value) { return value != 0; });
-    }
 
     metrics::MeasureParams m_params;
     std::vector<MeasuredSample> m_samples;
@@ -145,7 +141,50 @@ Project seeded(const Project& project, const std::string& method, int offset) {
     return other;
 }
 
+/// All frames of one method from one seed on; `frames` takes the pictures when it isn't null.
+Measures measureSeed(const Project& project, const scene::Scene& scene, const scene::Path& path,
+                     const ComparisonParams& params, int seed, const TextureCache* cache,
+                     std::vector<ColorAlphaImage>* frames, const std::function<void()>& frameDone) {
+    std::vector<Paint> paints;
+    for (std::size_t i = 0; i < project.samples.size(); ++i) paints.push_back(preparePaint(project, i));
+    const WornPaints worn = wornPaints(project, scene, paints, {}, cache);
+    const Shot shot{project, scene, worn, path, params.width, params.height};
+    ShotViews views(shot);
+    const auto painter = framePainter(shot, views);
+    const Measurer measurer(scene, paints, params.measure);
+    Measures measures;
+    ColorImage before;
+    for (int frame = 1; frame <= params.frames; ++frame) {
+        const Rendering rendering = painter->paint(frame, {});
+        const ColorImage picture = colorsOf(rendering.frame.picture);
+        const methods::FrameView view = views.at(frame);
+        const auto draw = params.measure.seed + std::uint64_t(seed * params.frames + frame);
+        measurer.measure(*view.gbuffer, picture, draw, measures);
+        if (frame > 1) measurer.measureChange(views.at(frame - 1), before, view, picture, draw, measures);
+        if (frames) frames->push_back(rendering.frame.picture);
+        before = picture;
+        frameDone();
+    }
+    return measures;
+}
+
+Estimate overSeeds(const std::vector<Measures>& seeds, Mean Measures::*measure, const char* missing) {
+    std::vector<Estimate> estimates;
+    for (const Measures& one : seeds) estimates.push_back((one.*measure).result());
+    const Estimate result = overSeeds(estimates);
+    if (result.count == 0)
+        throw Error("frames", missing, "make them larger, or let less change from one to the next");
+    return result;
+}
+
 }  // namespace
+
+Project animatedAsReported(Project project) {
+    project.viewAligned.followZoom = false;
+    project.coherence = {};
+    project.coherence.mode = methods::Coherence::Previous;
+    return project;
+}
 
 std::vector<MethodMeasure> compareMethods(const Project& project, const scene::Scene& scene,
                                           const scene::Path& path, const ComparisonParams& params,
@@ -156,41 +195,16 @@ std::vector<MethodMeasure> compareMethods(const Project& project, const scene::S
     for (const RenderMethod& method : methods) {
         MethodMeasure& column = table.emplace_back();
         column.method = method.key;
-        std::map<std::string, std::vector<Estimate>> seeds;
-        for (int seed = 0; seed < params.seeds; ++seed) {
-            const Project one = seeded(project, method.key, seed);
-            std::vector<Paint> paints;
-            for (std::size_t i = 0; i < one.samples.size(); ++i) paints.push_back(preparePaint(one, i));
-            const WornPaints worn = wornPaints(one, scene, paints, {}, cache);
-            const Shot shot{one, scene, worn, path, params.width, params.height};
-            ShotViews views(shot);
-            const auto painter = framePainter(shot, views);
-            const Measurer measurer(scene, paints, params.measure);
-            Measures measures;
-            ColorImage before;
-            for (int frame = 1; frame <= params.frames; ++frame) {
-                const Rendering rendering = painter->paint(frame, {});
-                const ColorImage picture = colorsOf(rendering.frame.picture);
-                const methods::FrameView view = views.at(frame);
-                const auto draw = params.measure.seed + std::uint64_t(seed * params.frames + frame);
-                measurer.measure(*view.gbuffer, picture, draw, measures);
-                if (frame > 1)
-                    measurer.measureChange(views.at(frame - 1), before, view, picture, draw, measures);
-                if (seed == 0) column.frames.push_back(rendering.frame.picture);
-                before = picture;
-                steps.done();
-            }
-            seeds["similarity"].push_back(measures.similarity.result());
-            seeds["shading"].push_back(measures.shading.result());
-            seeds["squared"].push_back(measures.shadingSquared.result());
-            seeds["image"].push_back(measures.image.result());
-            seeds["object"].push_back(measures.object.result());
-        }
-        column.similarity = overSeeds(seeds["similarity"]);
-        column.shading = overSeeds(seeds["shading"]);
-        column.shadingSquared = overSeeds(seeds["squared"]);
-        column.temporalImage = overSeeds(seeds["image"]);
-        column.temporalObject = overSeeds(seeds["object"]);
+        std::vector<Measures> seeds;
+        for (int seed = 0; seed < params.seeds; ++seed)
+            seeds.push_back(measureSeed(seeded(project, method.key, seed), scene, path, params, seed, cache,
+                                        seed == 0 ? &column.frames : nullptr, [&] { steps.done(); }));
+        constexpr auto nothing = "show nothing on which a block fits", apart = "share nothing to compare";
+        column.similarity = overSeeds(seeds, &Measures::similarity, nothing);
+        column.shading = overSeeds(seeds, &Measures::shading, nothing);
+        column.shadingSquared = overSeeds(seeds, &Measures::shadingSquared, nothing);
+        column.temporalImage = overSeeds(seeds, &Measures::image, apart);
+        column.temporalObject = overSeeds(seeds, &Measures::object, apart);
     }
     return table;
 }

@@ -23,8 +23,15 @@ struct MethodMeasure {
     std::vector<ColorAlphaImage> frames;  ///< of the first seed
 };
 
+/// The project with its methods as the report animates them (§4.1, §4.2), for a comparison with its table.
+/// Image-based frames stay close to the frame before, each a synthesis of its own; and the 3D texture keeps
+/// its scale. What this program adds by default changes the order: frames blended from two keyframes lose
+/// contrast, so that they resemble the sample less than the 3D texture's do, and a 3D texture that grows with
+/// its object moves on the screen as the surface does.
+Project animatedAsReported(Project project);
+
 /// Paints the animation by every method and measures it, each object against the sample that it wears, in
-/// its colours of now. Throws Error, Cancelled.
+/// its colours of now. Throws Error, also when no block of the frames can be measured; Cancelled.
 std::vector<MethodMeasure> compareMethods(const Project& project, const scene::Scene& scene,
                                           const scene::Path& path, const ComparisonParams& params,
                                           const Task& task = {}, const TextureCache* cache = nullptr);
