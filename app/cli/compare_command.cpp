@@ -3,7 +3,7 @@
 #include "app/cli/project_source.h"
 #include "app/cli/sheet.h"
 #include "core/base/atomic_file.h"
-#include "core/project/comparison.h"
+#include "core/project/comparison_report.h"
 #include "core/project/render_method.h"
 #include "core/scene/mesh_io.h"
 
@@ -18,68 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using metrics::Estimate;
 using project::MethodMeasure;
-
-/// What the report found (its table in §5), for the same columns; it states object-space coherence in words
-/// only.
-struct Reported {
-    const char* method;
-    double similarity, shading, temporal;
-};
-constexpr std::array<Reported, 3> reported{{{"image-based", 0.07539, 0.00536, 0.00297},
-                                            {"view-aligned", 0.08048, 0.00521, 0.00016},
-                                            {"view-dependent", 0.10197, 0.00582, 0.00547}}};
-
-struct Row {
-    const char* name;
-    Estimate MethodMeasure::*measure;
-    double Reported::*reported;  ///< null where the report gives no number
-};
-constexpr std::array<Row, 5> rows{
-    {{"Texture similarity", &MethodMeasure::similarity, &Reported::similarity},
-     {"Shading, mean squared", &MethodMeasure::shadingSquared, &Reported::shading},
-     {"Shading, mean absolute", &MethodMeasure::shading, nullptr},
-     {"Temporal, image space", &MethodMeasure::temporalImage, &Reported::temporal},
-     {"Temporal, object space", &MethodMeasure::temporalObject, nullptr}}};
-
-const Reported* reportedOf(const std::string& method) {
-    const auto found = std::ranges::find(reported, method, &Reported::method);
-    return found == reported.end() ? nullptr : &*found;
-}
-
-std::string reportedText(const Row& row, const std::string& method) {
-    const Reported* const one = reportedOf(method);
-    return one && row.reported ? fmt::format("{:.5f}", one->*row.reported) : std::string();
-}
-
-std::string markdownOf(const std::vector<MethodMeasure>& table) {
-    std::string head = "| error, smaller is better |", rule = "| --- |";
-    for (const MethodMeasure& method : table) {
-        head += fmt::format(" {} | report |", project::renderMethod(method.method).label);
-        rule += " --- | --- |";
-    }
-    std::string text = head + "\n" + rule + "\n";
-    for (const Row& row : rows) {
-        text += fmt::format("| {} |", row.name);
-        for (const MethodMeasure& method : table) {
-            const Estimate& estimate = method.*row.measure;
-            text += fmt::format(" {:.5f} ± {:.5f} | {} |", estimate.mean, estimate.standardError,
-                                reportedText(row, method.method));
-        }
-        text += "\n";
-    }
-    return text;
-}
-
-std::string csvOf(const std::vector<MethodMeasure>& table) {
-    std::string text = "measure,method,error,standard_error,pixels,report\n";
-    for (const Row& row : rows)
-        for (const MethodMeasure& method : table) {
-            const Estimate& estimate = method.*row.measure;
-            text += fmt::format("\"{}\",{},{:.7f},{:.7f},{},{}\n", row.name, method.method, estimate.mean,
-                                estimate.standardError, estimate.count, reportedText(row, method.method));
-        }
-    return text;
-}
 
 nlohmann::json jsonOf(const std::vector<MethodMeasure>& table) {
     nlohmann::json json;
@@ -119,9 +57,10 @@ struct CompareCommand {
         Stopwatch stopwatch;
         const auto table =
             project::compareMethods(project, scene, path.path(), wanted, session.task("compare"), &cache);
-        const std::string markdown = markdownOf(table);
+        const std::string markdown = project::comparisonMarkdown(table);
         writeFileAtomically(folder / "table.md", markdown + "\n" + measuredWhat(project, wanted));
-        writeFileAtomically(folder / "table.csv", csvOf(table));
+        writeFileAtomically(folder / "table.csv", project::comparisonCsv(table));
+        writeFileAtomically(folder / "frames.csv", project::framesCsv(table));
         writePictures(project, table);
         nlohmann::json json{
             {"methods", jsonOf(table)},  {"frames", wanted.frames},         {"path", path.name()},
@@ -178,7 +117,8 @@ void addCompareCommand(CLI::App& root, Session& session) {
     state->source.addTo(*command);
     command
         ->add_option("-o,--output", state->folder,
-                     "Folder for table.md, table.csv and frame.####.png, the methods side by side")
+                     "Folder for table.md, table.csv, frames.csv (every frame alone) and frame.####.png, the "
+                     "methods side by side")
         ->required();
     command->add_option("--size", state->size, "WIDTHxHEIGHT of the frames (default 512x512)");
     command->add_option("--frames", state->params.frames, "Frames that are measured (2..1000; default 8)")

@@ -15,12 +15,18 @@ struct ComparisonParams {
     metrics::MeasureParams measure;
 };
 
-/// One column of the table.
-struct MethodMeasure {
-    std::string method;  ///< key of a RenderMethod
-    /// Means over all frames and seeds. Their errors combine the spread over pixels and that over seeds.
+/// Means over pixels, and their errors, which combine the spread over pixels and that over seeds. The
+/// temporal ones tell how much changes from the frame before.
+struct MeasuredErrors {
     metrics::Estimate similarity, shading, shadingSquared, temporalImage, temporalObject;
-    std::vector<ColorAlphaImage> frames;  ///< of the first seed
+};
+
+/// One column of the table: the means over all frames and seeds.
+struct MethodMeasure : MeasuredErrors {
+    std::string method;                    ///< key of a RenderMethod
+    std::vector<MeasuredErrors> perFrame;  ///< over seeds; a count of 0 where nothing could be measured, as
+                                           ///< the temporal ones of the first
+    std::vector<ColorAlphaImage> frames;   ///< of the first seed
 };
 
 /// The project with its methods as the report animates them (§4.1, §4.2), for a comparison with its table.
