@@ -1,3 +1,4 @@
+#include "app/cli/path_flags.h"
 #include "app/cli/picture_output.h"
 #include "app/cli/project_source.h"
 #include "core/base/error.h"
@@ -43,8 +44,7 @@ struct AnimateCommand {
     std::vector<std::function<void(methods::CoherenceParams&)>> coherenceFlags;
     std::filesystem::path output;
     std::string frames = "1-48";
-    std::string path = "turntable";
-    int period = 48;
+    PathFlags path{"turntable"};
     double framesPerSecond = 24;
     bool resume = false;
 
@@ -58,7 +58,7 @@ struct AnimateCommand {
         project::Project project = source.load();
         if (!coherenceFlags.empty() && !source.methodGiven()) project.method = "image-based";
         for (const auto& apply : coherenceFlags) apply(project.coherence);
-        const scene::Path way = pathOf();
+        const scene::Path way = path.path();
         refuseInputs(project, range);
         Stopwatch stopwatch;
         const LoadedProject loaded = loadProject(std::move(project), task.part(0, 0.1));
@@ -94,14 +94,8 @@ struct AnimateCommand {
         return range;
     }
 
-    scene::Path pathOf() const {
-        if (path == "turntable") return scene::Path::turntable(period);
-        if (path == "light") return scene::Path::lightSweep(period);
-        return project::readPath(path);
-    }
-
     void refuseInputs(const project::Project& project, FrameRange range) const {
-        std::vector<std::filesystem::path> inputs{project.mesh, source.path(), path}, outputs;
+        std::vector<std::filesystem::path> inputs{project.mesh, source.path(), path.name()}, outputs;
         for (const project::Sample& sample : project.samples) inputs.push_back(sample.scan);
         if (makesVideo()) return refuseOverwriting(inputs, {output});
         for (int frame = range.first; frame <= range.last; ++frame)
@@ -113,8 +107,7 @@ struct AnimateCommand {
         json.update(paintParameters(shot.project));
         json.update(parametersToJson(shot.project.coherence));
         json.update(sceneParameters(shot.project));
-        json["path"] = std::filesystem::path(path).filename().string();
-        json["period"] = period;
+        json.update(path.parameters());
         json["frame"] = frame;
         json["content"] = fmt::format("{:016x}", content);
         return pictureMetadata("animate", json);
@@ -194,12 +187,7 @@ void addAnimateCommand(CLI::App& root, Session& session) {
     command->add_option("--frames", state->frames,
                         "First and last frame, as 1-48 (default 1-48); any part of a path gives the frames "
                         "that the whole path gives");
-    command->add_option(
-        "--path", state->path,
-        "turntable (the camera goes around, from the project's view on), light (the lights go "
-        "around +Y), or a JSON file of camera and light keys (default turntable)");
-    command->add_option("--period", state->period, "Frames in which a turn goes around once (default 48)")
-        ->check(CLI::Range(1, 100000));
+    state->path.addTo(*command);
     addCoherenceFlags(*command, *state);
     command->add_option("--fps", state->framesPerSecond, "Frames a second of a video (1..240; default 24)")
         ->check(CLI::Range(1.0, 240.0));

@@ -75,6 +75,10 @@ Image<std::uint8_t> measurable(const MeasuredFrame& frame, int block) {
     return result;
 }
 
+bool anyPixel(const Image<std::uint8_t>& mask) {
+    return std::ranges::any_of(mask.pixels(), [](std::uint8_t value) { return value != 0; });
+}
+
 std::vector<glm::ivec2> drawPixels(const Image<std::uint8_t>& from, int count, std::uint64_t seed,
                                    const char* what) {
     std::vector<glm::ivec2> pixels;

@@ -37,6 +37,9 @@ Estimate estimate(const std::vector<double>& values);
 /// pixels that such a block surrounds, 0 elsewhere. Throws Error when the parts of the frame differ in size.
 Image<std::uint8_t> measurable(const MeasuredFrame& frame, int block);
 
+/// Whether a mask leaves anything to measure: a pixel that isn't 0.
+bool anyPixel(const Image<std::uint8_t>& mask);
+
 /// `count` of the pixels that aren't 0, each at most once, drawn by chance; all of them in raster order when
 /// `count` is 0 or not less than there are. Throws Error, saying `what` leaves no pixel, when there are none.
 std::vector<glm::ivec2> drawPixels(const Image<std::uint8_t>& from, int count, std::uint64_t seed,

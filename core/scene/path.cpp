@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace chiaro::scene {
 
@@ -50,6 +51,12 @@ Path Path::lightSweep(int period) {
     return path;
 }
 
+Path Path::approaching() {
+    Path path;
+    path.approach = 0.96;
+    return path;
+}
+
 View Path::at(double frame, const View& start) const {
     View view = start;
     Camera& camera = view.camera;
@@ -58,6 +65,9 @@ View Path::at(double frame, const View& start) const {
     apply(distance, frame, smooth, camera.distance);
     apply(fieldOfView, frame, smooth, camera.fieldOfView);
     camera.azimuth = float(double(camera.azimuth) + cameraTurn * (frame - 1));
+    if (approach != 1)
+        camera.distance =
+            float(std::clamp(double(camera.distance) * std::pow(approach, frame - 1), 0.01, 100.0));
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto i = glm::length_t(axis);
         apply(target[axis], frame, smooth, camera.target[i]);

@@ -93,7 +93,8 @@ TEST(Measure, TheStudyWritesItsCurves) {
     const std::string csv = readFile(folder / "study/study.csv", 1 << 20);
     for (const std::string texture : {"random", "diagonal", "symmetric", "oil"})
         EXPECT_NE(csv.find(texture + ",scale-both,12,2,"), std::string::npos) << texture;
-    for (const char* name : {"rotation.svg", "scale.svg", "discontinuity.svg", "distortions.png"})
+    for (const char* name : {"rotation.svg", "scale.svg", "discontinuity.svg", "rotation.png", "scale.png",
+                             "discontinuity.png", "distortions.png"})
         EXPECT_TRUE(std::filesystem::exists(folder / "study" / name)) << name;
 }
 
