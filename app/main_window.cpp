@@ -1,11 +1,13 @@
 #include "app/main_window.h"
 
 #include "app/docks/gradient_dock.h"
+#include "app/docks/metric_graph_dock.h"
 #include "app/docks/parameters_dock.h"
 #include "app/docks/sample_dock.h"
 #include "app/docks/view_planning_dock.h"
 #include "app/empty_hint.h"
 #include "app/export_dialog.h"
+#include "app/heat_maps.h"
 #include "app/job_status.h"
 #include "app/method_switch.h"
 #include "app/recent_files.h"
@@ -24,7 +26,7 @@ namespace chiaro::app {
 namespace {
 
 constexpr std::size_t memoBytes = std::size_t(1) << 30;
-constexpr int layoutVersion = 3;  ///< of the saved arrangement of docks
+constexpr int layoutVersion = 4;  ///< of the saved arrangement of docks
 constexpr glm::vec3 viewportBackground(0.165F);
 
 const char* const projectFilter = QT_TRANSLATE_NOOP("MainWindow", "Chiaro projects (*.chiaro)");
@@ -49,9 +51,12 @@ MainWindow::MainWindow()
       m_frameTextures(m_document, m_jobs, m_memo, m_paints, m_meshes),
       m_viewPlans(m_document, m_jobs, m_memo, m_meshes),
       m_objectTextures(m_document, m_jobs, m_memo, m_paints, m_meshes, m_viewPlans),
+      m_comparison(m_document, m_jobs, m_meshes),
+      m_study(m_jobs, m_paints),
       m_opener(m_document, m_jobs, m_paints, m_meshes) {
-    m_objectTextures.setCache(
-        std::make_shared<const project::TextureCache>(project::TextureCache::standardFolder()));
+    const auto cache = std::make_shared<const project::TextureCache>(project::TextureCache::standardFolder());
+    m_objectTextures.setCache(cache);
+    m_comparison.setCache(cache);
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -70,6 +75,7 @@ MainWindow::MainWindow()
 
 MainWindow::~MainWindow() {
     // The views refer to the document and what is derived from it, which are members: they go first.
+    m_measures->disconnect();
     delete takeCentralWidget();
     qDeleteAll(findChildren<QDockWidget*>());
 }
@@ -105,6 +111,28 @@ void MainWindow::makeDocks() {
             [this] { m_viewsDock->setCamera(m_viewport->camera()); });
     m_viewOverlays = new ViewOverlays(*m_viewsDock, m_viewPlans, m_meshes, *m_viewport, m_viewport);
     m_viewsDock->addSwitches({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
+    makeMetrics();
+}
+
+void MainWindow::makeMetrics() {
+    m_measures = new ViewMeasures(
+        m_jobs, m_memo, m_paints, [this] { return m_viewport->snapshot(); }, m_viewport);
+    m_heatMaps = new HeatMaps(*m_measures, *m_viewport, m_viewport);
+    m_metricsDock = new MetricGraphDock(m_jobs, m_comparison, m_study, *m_measures);
+    addDockWidget(Qt::BottomDockWidgetArea, m_metricsDock);
+    m_metricsDock->hide();
+    m_metricsDock->addSwitches(
+        {m_heatMaps->liveAction(), m_heatMaps->similarityAction(), m_heatMaps->shadingAction()});
+    const auto studySample = [this](int sample) {
+        const auto& samples = m_document.project().samples;
+        m_study.setSample(sample,
+                          sample < 0 ? QString() : QString::fromStdString(samples[std::size_t(sample)].name));
+    };
+    connect(m_sampleDock, &SampleDock::currentSampleChanged, m_metricsDock, studySample);
+    studySample(m_sampleDock->currentSample());
+    connect(m_metricsDock, &MetricGraphDock::cameraWanted, m_viewport, &widgets::Viewport::setCamera);
+    connect(m_metricsDock, &MetricGraphDock::exported, this,
+            [this](const QString& path) { showNote(tr("The figures are at %1").arg(path)); });
 }
 
 void MainWindow::arrangeDocks() {
@@ -127,6 +155,13 @@ void MainWindow::makeStatusBar() {
     m_frameTime = new QLabel;
     m_frameTime->setToolTip(tr("The method shown, and how long its last frame took"));
     statusBar()->addWidget(new JobStatus(m_jobs));
+    m_figures = new QLabel;
+    m_figures->setToolTip(
+        tr("The viewport's errors: how little it resembles its strips, and how far its "
+           "shades are from the light"));
+    connect(m_measures, &ViewMeasures::measureChanged, m_figures,
+            [this] { m_figures->setText(measureText(*m_measures)); });
+    statusBar()->addPermanentWidget(m_figures);
     statusBar()->addPermanentWidget(m_frameTime);
     statusBar()->setContentsMargins(8, 0, 10, 0);
     statusBar()->setSizeGripEnabled(false);
@@ -193,6 +228,8 @@ void MainWindow::makeViewMenu() {
     }
     m_viewport->setNavigation(widgets::Viewport::Navigation(chosen));
     view->addActions({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
+    view->addSeparator();
+    view->addActions({m_heatMaps->liveAction(), m_heatMaps->similarityAction(), m_heatMaps->shadingAction()});
     view->addSeparator();
     for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
     addAction(*view, nullptr, tr("&Reset Layout"), {},
