@@ -59,8 +59,8 @@ MainWindow::MainWindow()
     m_comparison.setCache(cache);
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     makeCentralView();
     makeDocks();
     makeToolBar();
@@ -156,6 +156,7 @@ void MainWindow::makeStatusBar() {
     m_frameTime->setToolTip(tr("The method shown, and how long its last frame took"));
     statusBar()->addWidget(new JobStatus(m_jobs));
     m_figures = new QLabel;
+    m_figures->setContentsMargins(0, 0, 16, 0);
     m_figures->setToolTip(
         tr("The viewport's errors: how little it resembles its strips, and how far its "
            "shades are from the light"));

@@ -132,7 +132,7 @@ void writeSheet(const std::filesystem::path& path, const MetricSheet& sheet) {
     if (extension == ".csv") bytes = sheet.csv;
     if (extension == ".md") bytes = sheet.markdown;
     if ((extension == ".svg" || extension == ".png") && !sheet.charts.empty()) {
-        bytes = metrics::svgOf(sheet.charts, int(sheet.charts.size()));
+        bytes = metrics::svgOf(sheet.charts, sheet.columns);
         if (extension == ".png") bytes = pngOf(bytes);
     }
     if (bytes.empty())

@@ -10,11 +10,12 @@
 
 namespace chiaro::app {
 
-/// Figures as they go to a file: as text, as a table, or as charts side by side. Empty where there are none.
+/// Figures as they go to a file: as a table in two formats, or as charts. Empty where there are none.
 struct MetricSheet {
     std::string csv;
     std::string markdown;
     std::vector<metrics::LineChart> charts;
+    int columns = 1;  ///< of charts; those of a row share the scale of y
 };
 
 /// What frameCharts() gives, in their order.

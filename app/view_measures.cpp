@@ -141,7 +141,7 @@ void ViewMeasures::begin() {
     auto measured = inputs();
     if (!measured) return;
     m_jobs.start(
-        {tr("Measuring the view"), slot, [this](const QString& message) { fail(message); }, {}},
+        {tr("Measuring the view"), slot, [this](const QString& message) { fail(message); }, {}, true},
         [inputs = std::move(*measured)](const Task& task) { return prepare(inputs, task); },
         [this](const std::shared_ptr<const Prepared>& prepared) { take(prepared); });
 }

@@ -1,5 +1,7 @@
 #include "widgets/metric_graph.h"
 
+#include "widgets/round_step.h"
+
 #include <QtCharts>
 
 #include <algorithm>
@@ -13,17 +15,11 @@ namespace {
 
 constexpr std::array<QRgb, 6> curveColors{0xff56b4e9, 0xffe9a43c, 0xff3fc79a,
                                           0xffe08fc0, 0xfff0e442, 0xffb0b0b0};
+constexpr double dotRadius = 2.4;
 constexpr double notePadding = 7;
 constexpr double noteGap = 12;
-
-/// A step of 1, 2 or 5 times a power of ten of which about `count` fit into the range.
-double roundStep(double range, int count) {
-    const double rough = range / count;
-    const double power = std::pow(10, std::floor(std::log10(rough)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= rough * (1 - 1e-9)) return factor * power;
-    return 10 * power;
-}
+constexpr double noteShare = 0.6;  ///< of a chart's width, at most
+constexpr int titledWidth = 260;   ///< narrower charts don't name their y axis
 
 struct Range {
     double least = 0, most = 1;
@@ -38,11 +34,13 @@ Range rangeX(const metrics::LineChart& chart) {
     return {*values.begin(), *values.rbegin() > *values.begin() ? *values.rbegin() : *values.begin() + 1};
 }
 
-QString lineOf(const metrics::Series& series, const metrics::ChartPoint& point) {
+QString valueOf(const metrics::ChartPoint& point) {
     const QString value = QString::number(point.y, 'f', 5);
-    const QString name = QString::fromStdString(series.name);
-    return point.error > 0 ? QString("%1  %2 ± %3").arg(name, value).arg(point.error, 0, 'f', 5)
-                           : QString("%1  %2").arg(name, value);
+    return point.error > 0 ? QString("%1 ± %2").arg(value).arg(point.error, 0, 'f', 5) : value;
+}
+
+QString lineOf(const metrics::Series& series, const metrics::ChartPoint& point) {
+    return QString("%1  %2").arg(QString::fromStdString(series.name), valueOf(point));
 }
 
 }  // namespace
@@ -58,7 +56,7 @@ public:
         setRenderHint(QPainter::Antialiasing);
         setFrameShape(QFrame::NoFrame);
         setFocusPolicy(Qt::NoFocus);
-        setMouseTracking(true);
+        viewport()->setMouseTracking(true);
     }
 
     void show(const metrics::LineChart& shown, const QString& kind, const QString& unit) {
@@ -109,6 +107,10 @@ public:
             axis->setGridLineColor(palette.color(QPalette::Button));
             axis->setGridLineVisible(axis->orientation() == Qt::Vertical);
         }
+        showTitles();
+    }
+    void showTitles() {
+        for (QAbstractAxis* axis : chart()->axes(Qt::Vertical)) axis->setTitleVisible(width() >= titledWidth);
     }
 
     void pick(std::optional<double> x, bool tells) {
@@ -153,12 +155,17 @@ protected:
         pick(x, true);
         Q_EMIT m_owner.clicked(*x);
     }
+    void resizeEvent(QResizeEvent* event) override {
+        QChartView::resizeEvent(event);
+        showTitles();
+    }
     void leaveEvent(QEvent* event) override {
         QChartView::leaveEvent(event);
         pick(std::nullopt, true);
     }
     void drawForeground(QPainter* painter, const QRectF& area) override {
         QChartView::drawForeground(painter, area);
+        for (const Curve& curve : m_curves) drawDots(*painter, curve);
         if (m_owner.hasFocus()) drawFocus(*painter);
         if (m_picked && !m_curves.empty()) drawCrosshair(*painter);
     }
@@ -186,7 +193,12 @@ private:
             value->setLabelFormat("%g");
             axis = value;
         }
-        axis->setRange(least, most);
+        // Room for the dots at both ends.
+        const double room = m_shown.x.logarithmic ? std::pow(most / least, 0.03) : (most - least) * 0.03;
+        if (m_shown.x.logarithmic)
+            axis->setRange(least / room, most * room);
+        else
+            axis->setRange(least - room, most + room);
         axis->setTitleText(QString::fromStdString(m_shown.x.label));
         return axis;
     }
@@ -201,7 +213,7 @@ private:
         axis->setTickInterval(step);
         axis->setRange(least, std::ceil((most - least) / step - 1e-9) * step + least);
         axis->setLabelFormat("%g");
-        if (!m_shown.y.label.empty()) axis->setTitleText(QString::fromStdString(m_shown.y.label));
+        axis->setTitleText(QString::fromStdString(m_shown.y.label));
         return axis;
     }
     void addCurve(const metrics::Series& series, const QColor& curveColor, QAbstractAxis* x,
@@ -223,8 +235,6 @@ private:
         band->setBrush(faint);
         band->setPen(Qt::NoPen);
         line->setPen(QPen(curveColor, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        line->setPointsVisible(series.points.size() <= 40);
-        line->setMarkerSize(5);
         const std::array<QAbstractSeries*, 2> both{band, line};
         for (QAbstractSeries* one : both) {
             chart()->addSeries(one);
@@ -247,6 +257,13 @@ private:
         return *std::ranges::min_element(m_xs, {}, distance);
     }
 
+    /// Where a curve was measured.
+    void drawDots(QPainter& painter, const Curve& curve) const {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(color(curve.series));
+        for (const metrics::ChartPoint& point : m_shown.series[curve.series].points)
+            painter.drawEllipse(chart()->mapToPosition({point.x, point.y}, curve.line), dotRadius, dotRadius);
+    }
     void drawFocus(QPainter& painter) const {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(m_owner.palette().color(QPalette::Highlight).darker(150), 1));
@@ -266,40 +283,64 @@ private:
         }
         drawNote(painter, x);
     }
-    /// Beside the crosshair, on the side where there is room.
+    /// A line of the note: the curve it is of, and what it says, with the curve's name or where there is no
+    /// room for that without.
+    struct NoteLine {
+        std::size_t series;
+        QString full, brief;
+    };
+    std::vector<NoteLine> noteLines() const {
+        std::vector<NoteLine> lines;
+        for (std::size_t i = 0; i < m_shown.series.size(); ++i)
+            if (const auto* point = pointAt(m_shown.series[i]))
+                lines.push_back({i, lineOf(m_shown.series[i], *point), QString::number(point->y, 'f', 4)});
+        return lines;
+    }
+    /// Beside the crosshair, at the side where there is room, and above or below where the curves aren't.
     void drawNote(QPainter& painter, double x) const {
-        const QStringList lines = note().split('\n');
+        const std::vector<NoteLine> lines = noteLines();
         painter.setFont(m_owner.font());
         const QFontMetricsF metrics(m_owner.font());
-        double width = 0;
-        for (const QString& line : lines) width = std::max(width, metrics.horizontalAdvance(line));
-        width += 14 + 2 * notePadding;
-        const double height = metrics.lineSpacing() * double(lines.size()) + 2 * notePadding;
+        const auto widthOf = [&](QString NoteLine::*text) {
+            double width = metrics.horizontalAdvance(heading());
+            for (const NoteLine& line : lines)
+                width = std::max(width, metrics.horizontalAdvance(line.*text) + 14);
+            return width + 2 * notePadding;
+        };
+        const bool isBrief = widthOf(&NoteLine::full) > sceneRect().width() * noteShare;
+        const auto text = isBrief ? &NoteLine::brief : &NoteLine::full;
+        const double width = widthOf(text);
+        const double height = metrics.lineSpacing() * double(lines.size() + 1) + 2 * notePadding;
         const bool fitsRight = x + noteGap + width < sceneRect().right();
         const double left = std::clamp(fitsRight ? x + noteGap : x - noteGap - width, sceneRect().left(),
                                        std::max(sceneRect().right() - width, sceneRect().left()));
-        const QRectF box(left, chart()->plotArea().top(), width, height);
+        const QRectF plot = chart()->plotArea();
+        const QRectF box(left, isHigh() ? plot.bottom() - height - 4 : plot.top(), width, height);
         painter.setPen(QPen(m_owner.palette().color(QPalette::Light), 1));
         painter.setBrush(m_owner.palette().color(QPalette::ToolTipBase));
         painter.drawRoundedRect(box, 3, 3);
-        double top = box.top() + notePadding;
+        QRectF line(box.left() + notePadding, box.top() + notePadding, width, metrics.lineSpacing());
         painter.setPen(m_owner.palette().color(QPalette::PlaceholderText));
-        const auto write = [&](const QString& text, double indent) {
-            painter.drawText(QRectF(box.left() + notePadding + indent, top, width, metrics.lineSpacing()),
-                             Qt::AlignLeft | Qt::AlignVCenter, text);
-            top += metrics.lineSpacing();
-        };
-        write(lines.front(), 0);
-        for (std::size_t i = 0; i < m_shown.series.size(); ++i) {
-            const auto* point = pointAt(m_shown.series[i]);
-            if (!point) continue;
+        painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, heading());
+        for (const NoteLine& one : lines) {
+            line.translate(0, metrics.lineSpacing());
             painter.setPen(Qt::NoPen);
-            painter.setBrush(color(i));
-            painter.drawEllipse(QPointF(box.left() + notePadding + 4, top + metrics.lineSpacing() / 2), 3.5,
-                                3.5);
+            painter.setBrush(color(one.series));
+            painter.drawEllipse(QPointF(line.left() + 4, line.center().y()), 3.5, 3.5);
             painter.setPen(m_owner.palette().color(QPalette::ToolTipText));
-            write(lineOf(m_shown.series[i], *point), 14);
+            painter.drawText(line.translated(14, 0), Qt::AlignLeft | Qt::AlignVCenter, one.*text);
         }
+    }
+    /// Whether what is picked lies in the upper half of the chart.
+    bool isHigh() const {
+        double sum = 0;
+        int count = 0;
+        for (const Curve& curve : m_curves)
+            if (const auto* point = pointAt(m_shown.series[curve.series])) {
+                sum += chart()->mapToPosition({point->x, point->y}, curve.line).y();
+                ++count;
+            }
+        return count > 0 && sum / count < chart()->plotArea().center().y();
     }
 
     MetricGraph& m_owner;

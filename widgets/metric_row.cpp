@@ -8,9 +8,15 @@
 
 namespace chiaro::widgets {
 
-MetricRow::MetricRow(QWidget* parent) : QWidget(parent), m_layout(new QHBoxLayout(this)) {
+MetricRow::MetricRow(QWidget* parent) : QScrollArea(parent) {
+    auto* content = new QWidget;
+    m_layout = new QHBoxLayout(content);
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(4);
+    setFrameShape(NoFrame);
+    setWidgetResizable(true);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setWidget(content);
 }
 
 void MetricRow::add() {

@@ -2,7 +2,7 @@
 
 #include "core/metrics/line_chart.h"
 
-#include <QWidget>
+#include <QScrollArea>
 
 #include <vector>
 
@@ -12,8 +12,9 @@ namespace chiaro::widgets {
 
 class MetricGraph;
 
-/// Charts side by side that pick the same x together. Those of one measure share the end of their y axes.
-class MetricRow : public QWidget {
+/// Charts side by side that pick the same x together; where that is too narrow they scroll. Those of one
+/// measure share the end of their y axes.
+class MetricRow : public QScrollArea {
     Q_OBJECT
 
 public:
@@ -27,6 +28,9 @@ public:
     std::vector<metrics::LineChart> shownCharts() const;
     MetricGraph* graph(int chart) const { return m_graphs[std::size_t(chart)]; }
     int count() const { return int(m_graphs.size()); }
+
+    QSize sizeHint() const override { return {480, 220}; }
+    QSize minimumSizeHint() const override { return {200, 140}; }
 
 Q_SIGNALS:
     void clicked(double x);

@@ -2,6 +2,7 @@
 
 #include "app/method_comparison.h"
 #include "core/project/comparison_report.h"
+#include "widgets/folding_row.h"
 #include "widgets/metric_legend.h"
 #include "widgets/metric_row.h"
 
@@ -21,7 +22,7 @@ ComparisonPane::ComparisonPane(MethodComparison& comparison, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 6, 0, 0);
     layout->setSpacing(4);
-    layout->addWidget(makeSwitches());
+    layout->addWidget(new widgets::FoldingRow(makeSwitches(), m_legend));
     layout->addWidget(m_row, 1);
     layout->addWidget(m_hint, 1);
     connect(m_row, &widgets::MetricRow::clicked, this,
@@ -49,8 +50,6 @@ QWidget* ComparisonPane::makeSwitches() {
         layout->addWidget(button);
         ++chart;
     }
-    layout->addStretch(1);
-    layout->addWidget(m_legend);
     return switches;
 }
 
@@ -59,6 +58,7 @@ MetricSheet ComparisonPane::sheet() const {
     MetricSheet sheet;
     sheet.csv = project::framesCsv(m_comparison.result()->table);
     sheet.charts = m_row->shownCharts();
+    sheet.columns = 1;  // each has a scale of its own
     return sheet;
 }
 

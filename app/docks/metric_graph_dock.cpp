@@ -17,7 +17,7 @@ namespace chiaro::app {
 
 namespace {
 
-constexpr int sideWidth = 270;
+constexpr int sideWidth = 264;
 
 QLabel* heading(const QString& text) {
     auto* label = new QLabel(text);
@@ -80,7 +80,8 @@ QWidget* MetricGraphDock::makeSide() {
     figures->addWidget(m_shading, 1, 1, Qt::AlignRight);
 
     m_form = widgets::makeParameterForm<ComparisonSettings>();
-    m_form->setValues(ComparisonSettings::table().values(ComparisonSettings{}));
+    // Numbers to type; sliders would take the charts' room.
+    for (QSlider* slider : m_form->findChildren<QSlider*>()) slider->hide();
     m_measure = new QPushButton;
     m_measure->setObjectName("measure-methods");
     connect(m_measure, &QPushButton::clicked, this, &MetricGraphDock::measure);
@@ -92,19 +93,17 @@ QWidget* MetricGraphDock::makeSide() {
     m_note->setProperty("note", true);
     m_note->setWordWrap(true);
     auto* row = new QHBoxLayout;
+    row->addWidget(heading(tr("Turntable")), 1);
     row->addWidget(m_measure);
-    row->addWidget(m_progress, 1);
-    row->addStretch(0);
 
     auto* layout = new QVBoxLayout(side);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
     layout->addLayout(head);
     layout->addLayout(figures);
-    layout->addSpacing(6);
-    layout->addWidget(heading(tr("Comparison on a turntable")));
-    layout->addWidget(m_form);
     layout->addLayout(row);
+    layout->addWidget(m_progress);
+    layout->addWidget(m_form);
     layout->addWidget(m_note);
     layout->addStretch(1);
     return side;
@@ -119,7 +118,7 @@ QWidget* MetricGraphDock::makeTabs() {
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->setShowGrid(false);
     m_table->setFrameShape(QFrame::NoFrame);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionsClickable(false);
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     m_table->verticalHeader()->setSectionsClickable(false);
@@ -187,6 +186,7 @@ void MetricGraphDock::showProgress() {
     m_measure->setEnabled(isRunning || m_comparison.canStart());
     m_form->setEnabled(!isRunning);
     m_progress->setVisible(isRunning);
+    m_note->setVisible(!isRunning);
     m_progress->setValue(int(m_comparison.progress() * 1000));
     QString note = m_comparison.problem();
     if (note.isEmpty() && !m_comparison.canStart()) note = tr("Needs a mesh and a strip of paint");
@@ -211,7 +211,7 @@ MetricSheet MetricGraphDock::sheet() const {
     }
     if (!m_comparison.result()) return {};
     const auto& measures = m_comparison.result()->table;
-    return {project::comparisonCsv(measures), project::comparisonMarkdown(measures), {}};
+    return {project::comparisonCsv(measures), project::comparisonMarkdown(measures), {}, 1};
 }
 
 QString MetricGraphDock::sheetName() const {

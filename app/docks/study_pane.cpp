@@ -1,6 +1,7 @@
 #include "app/docks/study_pane.h"
 
 #include "app/distortion_study.h"
+#include "widgets/folding_row.h"
 #include "widgets/metric_legend.h"
 #include "widgets/metric_row.h"
 #include "widgets/wheel_guard.h"
@@ -26,7 +27,8 @@ StudyPane::StudyPane(DistortionStudy& study, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 6, 0, 0);
     layout->setSpacing(4);
-    layout->addWidget(makeTools());
+    layout->addWidget(new widgets::FoldingRow(makeTools(), m_legend));
+    layout->addWidget(m_note);
     layout->addWidget(m_row, 1);
     layout->addWidget(m_hint, 1);
     connect(&study, &DistortionStudy::changed, this, &StudyPane::show);
@@ -49,6 +51,7 @@ QWidget* StudyPane::makeTools() {
     m_progress->setTextVisible(false);
     m_progress->setFixedSize(120, 6);
     m_note->setProperty("note", true);
+    m_note->setWordWrap(true);
     auto* tools = new QWidget;
     auto* layout = new QHBoxLayout(tools);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -56,8 +59,6 @@ QWidget* StudyPane::makeTools() {
     layout->addWidget(m_distortions);
     layout->addWidget(m_measure);
     layout->addWidget(m_progress);
-    layout->addWidget(m_note, 1);
-    layout->addWidget(m_legend);
     return tools;
 }
 
@@ -71,7 +72,8 @@ QString StudyPane::distortionName() const {
 
 MetricSheet StudyPane::sheet() const {
     if (m_study.points().empty()) return {};
-    return {metrics::studyCsv(m_study.points()), {}, m_row->shownCharts()};
+    const std::vector<metrics::LineChart> charts = m_row->shownCharts();
+    return {metrics::studyCsv(m_study.points()), {}, charts, int(charts.size())};
 }
 
 void StudyPane::show() {
@@ -102,10 +104,10 @@ void StudyPane::showProgress() {
     m_progress->setVisible(m_study.isRunning());
     m_progress->setValue(int(m_study.progress() * 1000));
     const bool isOutdated = m_study.isOutdated() && !m_study.isRunning();
+    m_note->setVisible(isOutdated || !m_study.problem().isEmpty());
     m_note->setText(!m_study.problem().isEmpty() ? m_study.problem()
                     : isOutdated                 ? tr("Of an earlier strip: measure again")
                                                  : QString());
-    m_note->setToolTip(m_note->text());
 }
 
 }  // namespace chiaro::app

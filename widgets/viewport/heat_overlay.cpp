@@ -2,6 +2,7 @@
 
 #include "core/metrics/heat_map.h"
 #include "widgets/picture.h"
+#include "widgets/round_step.h"
 
 #include <QtWidgets>
 
@@ -13,9 +14,9 @@ namespace {
 
 constexpr double margin = 12;
 constexpr double padding = 10;
-constexpr double barWidth = 240;
+constexpr double barWidth = 190;
 constexpr double barHeight = 10;
-constexpr int tickCount = 5;
+constexpr int tickCount = 4;
 constexpr double stripWidth = 200;
 constexpr double largestStripHeight = 70;
 constexpr int mapAlpha = 225;  ///< the form below still shows
@@ -138,14 +139,13 @@ void HeatOverlay::drawBar(QPainter& painter, const QRectF& bar) const {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(edge, 1));
     painter.drawRect(bar);
-    for (int tick = 0; tick < tickCount; ++tick) {
-        const double share = double(tick) / (tickCount - 1);
-        const double x = bar.left() + share * bar.width();
+    const double most = double(m_map->most), step = roundStep(most, tickCount);
+    for (int tick = 0; tick * step <= most * (1 + 1e-6); ++tick) {
+        const double x = bar.left() + tick * step / most * bar.width();
         painter.setPen(QPen(dim, 1));
         painter.drawLine(QPointF(x, bar.bottom() + 1), QPointF(x, bar.bottom() + 4));
-        const QString text = QString::number(share * double(m_map->most), 'g', 3);
         painter.drawText(QRectF(x - 30, bar.bottom() + 4, 60, fontMetrics().lineSpacing()), Qt::AlignCenter,
-                         text);
+                         QString::number(tick * step, 'g', 3));
     }
     const auto read = m_pointer ? reading(*m_pointer) : std::nullopt;
     if (!read) return;
@@ -172,6 +172,7 @@ void HeatOverlay::drawReading(QPainter& painter, const Reading& reading) const {
     QPointF at = *m_pointer + QPointF(16, 16);
     if (at.x() + size.width() > width() - margin) at.setX(m_pointer->x() - 16 - size.width());
     if (at.y() + size.height() > height() - margin) at.setY(m_pointer->y() - 16 - size.height());
+    if (QRectF(at, size).intersects(panel())) at.setY(panel().top() - 6 - size.height());
     const QRectF box(at, size);
     drawBox(painter, box);
     const QRectF head(box.left() + padding, box.top() + padding, box.width() - 2 * padding, line);
