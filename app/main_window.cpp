@@ -7,9 +7,9 @@
 #include "app/docks/view_planning_dock.h"
 #include "app/empty_hint.h"
 #include "app/export_dialog.h"
-#include "app/heat_maps.h"
 #include "app/job_status.h"
 #include "app/method_switch.h"
+#include "app/metric_tools.h"
 #include "app/recent_files.h"
 #include "app/view_overlays.h"
 #include "app/viewport_link.h"
@@ -51,12 +51,9 @@ MainWindow::MainWindow()
       m_frameTextures(m_document, m_jobs, m_memo, m_paints, m_meshes),
       m_viewPlans(m_document, m_jobs, m_memo, m_meshes),
       m_objectTextures(m_document, m_jobs, m_memo, m_paints, m_meshes, m_viewPlans),
-      m_comparison(m_document, m_jobs, m_meshes),
-      m_study(m_jobs, m_paints),
       m_opener(m_document, m_jobs, m_paints, m_meshes) {
-    const auto cache = std::make_shared<const project::TextureCache>(project::TextureCache::standardFolder());
-    m_objectTextures.setCache(cache);
-    m_comparison.setCache(cache);
+    m_objectTextures.setCache(
+        std::make_shared<const project::TextureCache>(project::TextureCache::standardFolder()));
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
@@ -75,7 +72,6 @@ MainWindow::MainWindow()
 
 MainWindow::~MainWindow() {
     // The views refer to the document and what is derived from it, which are members: they go first.
-    m_measures->disconnect();
     delete takeCentralWidget();
     qDeleteAll(findChildren<QDockWidget*>());
 }
@@ -115,23 +111,14 @@ void MainWindow::makeDocks() {
 }
 
 void MainWindow::makeMetrics() {
-    m_measures = new ViewMeasures(
-        m_jobs, m_memo, m_paints, [this] { return m_viewport->snapshot(); }, m_viewport);
-    m_heatMaps = new HeatMaps(*m_measures, *m_viewport, m_viewport);
-    m_metricsDock = new MetricGraphDock(m_jobs, m_comparison, m_study, *m_measures);
-    addDockWidget(Qt::BottomDockWidgetArea, m_metricsDock);
-    m_metricsDock->hide();
-    m_metricsDock->addSwitches(
-        {m_heatMaps->liveAction(), m_heatMaps->similarityAction(), m_heatMaps->shadingAction()});
-    const auto studySample = [this](int sample) {
-        const auto& samples = m_document.project().samples;
-        m_study.setSample(sample,
-                          sample < 0 ? QString() : QString::fromStdString(samples[std::size_t(sample)].name));
-    };
-    connect(m_sampleDock, &SampleDock::currentSampleChanged, m_metricsDock, studySample);
-    studySample(m_sampleDock->currentSample());
-    connect(m_metricsDock, &MetricGraphDock::cameraWanted, m_viewport, &widgets::Viewport::setCamera);
-    connect(m_metricsDock, &MetricGraphDock::exported, this,
+    m_metrics = std::make_unique<MetricTools>(m_document, m_jobs, m_paints, m_meshes, *m_viewport);
+    m_metrics->comparison().setCache(m_objectTextures.cache());
+    MetricGraphDock& dock = m_metrics->dock();
+    addDockWidget(Qt::BottomDockWidgetArea, &dock);
+    dock.hide();
+    connect(m_sampleDock, &SampleDock::currentSampleChanged, m_metrics.get(), &MetricTools::setSample);
+    m_metrics->setSample(m_sampleDock->currentSample());
+    connect(&dock, &MetricGraphDock::exported, this,
             [this](const QString& path) { showNote(tr("The figures are at %1").arg(path)); });
 }
 
@@ -155,14 +142,7 @@ void MainWindow::makeStatusBar() {
     m_frameTime = new QLabel;
     m_frameTime->setToolTip(tr("The method shown, and how long its last frame took"));
     statusBar()->addWidget(new JobStatus(m_jobs));
-    m_figures = new QLabel;
-    m_figures->setContentsMargins(0, 0, 16, 0);
-    m_figures->setToolTip(
-        tr("The viewport's errors: how little it resembles its strips, and how far its "
-           "shades are from the light"));
-    connect(m_measures, &ViewMeasures::measureChanged, m_figures,
-            [this] { m_figures->setText(measureText(*m_measures)); });
-    statusBar()->addPermanentWidget(m_figures);
+    m_metrics->addTo(*statusBar());
     statusBar()->addPermanentWidget(m_frameTime);
     statusBar()->setContentsMargins(8, 0, 10, 0);
     statusBar()->setSizeGripEnabled(false);
@@ -230,7 +210,7 @@ void MainWindow::makeViewMenu() {
     m_viewport->setNavigation(widgets::Viewport::Navigation(chosen));
     view->addActions({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
     view->addSeparator();
-    view->addActions({m_heatMaps->liveAction(), m_heatMaps->similarityAction(), m_heatMaps->shadingAction()});
+    m_metrics->addTo(*view);
     view->addSeparator();
     for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
     addAction(*view, nullptr, tr("&Reset Layout"), {},

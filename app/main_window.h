@@ -1,12 +1,10 @@
 #pragma once
 
-#include "app/distortion_study.h"
 #include "app/document.h"
 #include "app/frame_textures.h"
 #include "app/jobs/job_runner.h"
 #include "app/jobs/memo.h"
 #include "app/meshes.h"
-#include "app/method_comparison.h"
 #include "app/object_textures.h"
 #include "app/opener.h"
 #include "app/paints.h"
@@ -24,14 +22,12 @@ class Viewport;
 namespace chiaro::app {
 
 class GradientDock;
-class HeatMaps;
-class MetricGraphDock;
 class MethodSwitch;
+class MetricTools;
 class ParametersDock;
 class RecentFiles;
 class SampleDock;
 class ViewOverlays;
-class ViewMeasures;
 class ViewPlanningDock;
 
 /// The studio's window: the viewport, the docks around it and the menus. It puts the parts together; each
@@ -58,9 +54,7 @@ public:
     SampleDock& sampleDock() { return *m_sampleDock; }
     GradientDock& gradientDock() { return *m_gradientDock; }
     ViewPlanningDock& viewPlanningDock() { return *m_viewsDock; }
-    MetricGraphDock& metricGraphDock() { return *m_metricsDock; }
-    HeatMaps& heatMaps() { return *m_heatMaps; }
-    ViewMeasures& viewMeasures() { return *m_measures; }
+    MetricTools& metrics() { return *m_metrics; }
     QString frameText() const;  ///< in the status bar: the method and its frame time
 
 public Q_SLOTS:
@@ -113,9 +107,8 @@ private:
     FrameTextures m_frameTextures;
     ViewPlans m_viewPlans;
     ObjectTextures m_objectTextures;
-    MethodComparison m_comparison;
-    DistortionStudy m_study;
     Opener m_opener;
+    std::unique_ptr<MetricTools> m_metrics;
 
     MethodSwitch* m_methods = nullptr;
     widgets::MessageBar* m_messages = nullptr;
@@ -125,11 +118,7 @@ private:
     ParametersDock* m_parametersDock = nullptr;
     ViewPlanningDock* m_viewsDock = nullptr;
     ViewOverlays* m_viewOverlays = nullptr;
-    ViewMeasures* m_measures = nullptr;
-    HeatMaps* m_heatMaps = nullptr;
-    MetricGraphDock* m_metricsDock = nullptr;
     RecentFiles* m_recent = nullptr;
-    QLabel* m_figures = nullptr;  ///< how well the viewport's picture resembles its strips
     QLabel* m_frameTime = nullptr;
     QByteArray m_standardState;
 };

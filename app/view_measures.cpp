@@ -1,7 +1,6 @@
 #include "app/view_measures.h"
 
 #include "app/jobs/job_runner.h"
-#include "app/jobs/memo.h"
 #include "app/paints.h"
 #include "core/base/hash.h"
 #include "core/metrics/heat_map.h"
@@ -56,8 +55,8 @@ struct ViewMeasures::Maps {
     std::shared_ptr<const widgets::HeatMap> similarity, shading;
 };
 
-ViewMeasures::ViewMeasures(JobRunner& jobs, Memo& memo, Paints& paints, Source source, QObject* parent)
-    : QObject(parent), m_jobs(jobs), m_memo(memo), m_paints(paints), m_source(std::move(source)) {
+ViewMeasures::ViewMeasures(JobRunner& jobs, Paints& paints, Source source, QObject* parent)
+    : QObject(parent), m_jobs(jobs), m_paints(paints), m_source(std::move(source)) {
     m_rest.setSingleShot(true);
     m_rest.setInterval(restMilliseconds);
     connect(&m_rest, &QTimer::timeout, this, &ViewMeasures::begin);
@@ -131,7 +130,8 @@ std::optional<ViewMeasures::Inputs> ViewMeasures::inputs() const {
             continue;
         strip.gradient = m_paints.gradient(sample);
         strip.key = indexKey(*strip.separated, strip.gradient, params.block);
-        strip.measured.index = m_memo.find<metrics::NeighbourIndex>(strip.key);
+        if (const auto known = m_indices.find(strip.key); known != m_indices.end())
+            strip.measured.index = known->second;
         inputs.strips.push_back(std::move(strip));
     }
     return inputs.strips.empty() ? std::nullopt : std::optional(std::move(inputs));
@@ -186,8 +186,8 @@ void ViewMeasures::take(const std::shared_ptr<const Prepared>& prepared) {
     m_prepared = prepared;
     m_rays = prepared->rays;
     m_raysScene = prepared->scene;
-    for (const Strip& strip : prepared->strips)
-        m_memo.insert(strip.key, strip.measured.index, strip.measured.index->bytes());
+    m_indices.clear();
+    for (const Strip& strip : prepared->strips) m_indices.emplace(strip.key, strip.measured.index);
     m_measure = prepared->measure;
     Q_EMIT measureChanged();
     if (m_map != Map::None) startMaps(coarseStep);

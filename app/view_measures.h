@@ -8,13 +8,13 @@
 #include <QTimer>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 
 namespace chiaro::app {
 
 class JobRunner;
-class Memo;
 class Paints;
 
 /// How well what the viewport shows resembles the strips (§5.1, §5.2): two figures from some pixels, and if
@@ -33,7 +33,7 @@ public:
     /// Tells what the viewport shows. Called on the GUI thread.
     using Source = std::function<widgets::ViewSnapshot()>;
 
-    ViewMeasures(JobRunner& jobs, Memo& memo, Paints& paints, Source source, QObject* parent = nullptr);
+    ViewMeasures(JobRunner& jobs, Paints& paints, Source source, QObject* parent = nullptr);
 
     /// Whether figures are wanted at all, and which map.
     void setLive(bool isLive);
@@ -77,7 +77,6 @@ private:
     static std::shared_ptr<const Maps> makeMaps(const Prepared& prepared, int step, const Task& task);
 
     JobRunner& m_jobs;
-    Memo& m_memo;
     Paints& m_paints;
     Source m_source;
     bool m_isLive = false;
@@ -89,6 +88,9 @@ private:
     bool m_isMapFinal = false;
     int m_mapJob = 0;  ///< its number; 0: none
     QString m_problem;
+    /// Of the strips that were measured last, by their key. Each takes tens of MB, and a colour that is
+    /// dragged makes many: no more are kept.
+    std::map<std::uint64_t, std::shared_ptr<const metrics::NeighbourIndex>> m_indices;
     Rays m_rays;  ///< of the surfaces below
     scene::Scene m_raysScene;
 };

@@ -22,6 +22,7 @@ constexpr int sideWidth = 264;
 QLabel* heading(const QString& text) {
     auto* label = new QLabel(text);
     label->setProperty("heading", true);
+    label->setIndent(0);
     return label;
 }
 
@@ -186,13 +187,13 @@ void MetricGraphDock::showProgress() {
     m_measure->setEnabled(isRunning || m_comparison.canStart());
     m_form->setEnabled(!isRunning);
     m_progress->setVisible(isRunning);
-    m_note->setVisible(!isRunning);
     m_progress->setValue(int(m_comparison.progress() * 1000));
     QString note = m_comparison.problem();
     if (note.isEmpty() && !m_comparison.canStart()) note = tr("Needs a mesh and a strip of paint");
     if (note.isEmpty() && m_comparison.isOutdated() && !isRunning)
         note = tr("The project has changed since: these figures are of before");
     m_note->setText(note);
+    m_note->setVisible(!isRunning && !note.isEmpty());
 }
 
 void MetricGraphDock::showExport() {

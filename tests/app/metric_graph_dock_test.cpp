@@ -29,7 +29,7 @@ struct Graph {
     app::MethodComparison comparison{studio.document, studio.jobs, studio.meshes};
     app::DistortionStudy study{studio.jobs, studio.paints};
     widgets::ViewState state;
-    app::ViewMeasures measures{studio.jobs, studio.memo, studio.paints, [this] {
+    app::ViewMeasures measures{studio.jobs, studio.paints, [this] {
                                    return widgets::ViewSnapshot::of(state, {64, 64});
                                }};
     QMainWindow window;

@@ -16,7 +16,7 @@ struct Measured {
     Studio studio;
     widgets::ViewState state;
     int looks = 0;  ///< how often it was asked what is shown
-    ViewMeasures measures{studio.jobs, studio.memo, studio.paints, [this] { return snapshot(); }};
+    ViewMeasures measures{studio.jobs, studio.paints, [this] { return snapshot(); }};
     QSignalSpy told{&measures, &ViewMeasures::measureChanged};
 
     explicit Measured(const test::TemporaryFolder& folder) {
