@@ -34,6 +34,18 @@ struct Measured {
         ++looks;
         return widgets::ViewSnapshot::of(state, {160, 160});
     }
+    /// Waits until a map is being made, and does something in that moment.
+    bool onceAMapIsMade(const std::function<void()>& act) {
+        bool isDone = false;
+        const auto watch = QObject::connect(&measures, &ViewMeasures::mapChanged, &measures, [&] {
+            if (isDone || !measures.mapProgress()) return;
+            isDone = true;
+            act();
+        });
+        const bool came = QTest::qWaitFor([&] { return isDone; }, 10'000);
+        QObject::disconnect(watch);
+        return came;
+    }
     bool settled() {
         return QTest::qWaitFor([this] { return studio.jobs.isIdle() && !measures.isWaiting(); }, 30'000);
     }
@@ -102,9 +114,14 @@ private Q_SLOTS:
     void aStaleResultIsNeverSeen() {
         Measured one(m_folder);
         one.measures.setLive(true);
-        QTRY_VERIFY_WITH_TIMEOUT(one.studio.jobs.isRunning(ViewMeasures::slot), 5000);
-        one.state.camera.distance = 4;  // a quarter of the size
-        one.measures.restart();
+        bool isChanged = false;
+        connect(&one.studio.jobs, &app::JobRunner::jobsChanged, &one.measures, [&] {
+            if (isChanged || !one.studio.jobs.isRunning(ViewMeasures::slot)) return;
+            isChanged = true;
+            one.state.camera.distance = 4;  // a quarter of the size
+            one.measures.restart();
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(isChanged, 5000);
         QVERIFY(!one.studio.jobs.isRunning(ViewMeasures::slot));
         one.told.clear();
         QVERIFY(one.settled());
@@ -143,8 +160,7 @@ private Q_SLOTS:
     void aMapThatIsNoLongerWantedIsNotMade() {
         Measured one(m_folder);
         one.measures.setMap(ViewMeasures::Map::Similarity);
-        QTRY_VERIFY_WITH_TIMEOUT(one.measures.mapProgress(), 10'000);
-        one.measures.setMap(ViewMeasures::Map::None);
+        QVERIFY(one.onceAMapIsMade([&] { one.measures.setMap(ViewMeasures::Map::None); }));
         QVERIFY(!one.studio.jobs.isRunning(ViewMeasures::slot));
         QVERIFY(!one.measures.mapProgress());
     }
@@ -152,8 +168,7 @@ private Q_SLOTS:
     void aCancelledMapCanBeAskedForAgain() {
         Measured one(m_folder);
         one.measures.setMap(ViewMeasures::Map::Similarity);
-        QTRY_VERIFY_WITH_TIMEOUT(one.measures.mapProgress(), 10'000);
-        one.studio.jobs.cancelAll();
+        QVERIFY(one.onceAMapIsMade([&] { one.studio.jobs.cancelAll(); }));
         QVERIFY(!one.measures.mapProgress());
         one.measures.setMap(ViewMeasures::Map::None);
         one.measures.setMap(ViewMeasures::Map::Similarity);
