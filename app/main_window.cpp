@@ -1,6 +1,7 @@
 #include "app/main_window.h"
 
 #include "app/docks/gradient_dock.h"
+#include "app/docks/metric_graph_dock.h"
 #include "app/docks/parameters_dock.h"
 #include "app/docks/sample_dock.h"
 #include "app/docks/view_planning_dock.h"
@@ -8,6 +9,7 @@
 #include "app/export_dialog.h"
 #include "app/job_status.h"
 #include "app/method_switch.h"
+#include "app/metric_tools.h"
 #include "app/recent_files.h"
 #include "app/view_overlays.h"
 #include "app/viewport_link.h"
@@ -24,7 +26,7 @@ namespace chiaro::app {
 namespace {
 
 constexpr std::size_t memoBytes = std::size_t(1) << 30;
-constexpr int layoutVersion = 3;  ///< of the saved arrangement of docks
+constexpr int layoutVersion = 4;  ///< of the saved arrangement of docks
 constexpr glm::vec3 viewportBackground(0.165F);
 
 const char* const projectFilter = QT_TRANSLATE_NOOP("MainWindow", "Chiaro projects (*.chiaro)");
@@ -54,8 +56,8 @@ MainWindow::MainWindow()
         std::make_shared<const project::TextureCache>(project::TextureCache::standardFolder()));
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     makeCentralView();
     makeDocks();
     makeToolBar();
@@ -105,6 +107,19 @@ void MainWindow::makeDocks() {
             [this] { m_viewsDock->setCamera(m_viewport->camera()); });
     m_viewOverlays = new ViewOverlays(*m_viewsDock, m_viewPlans, m_meshes, *m_viewport, m_viewport);
     m_viewsDock->addSwitches({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
+    makeMetrics();
+}
+
+void MainWindow::makeMetrics() {
+    m_metrics = std::make_unique<MetricTools>(m_document, m_jobs, m_paints, m_meshes, *m_viewport);
+    m_metrics->comparison().setCache(m_objectTextures.cache());
+    MetricGraphDock& dock = m_metrics->dock();
+    addDockWidget(Qt::BottomDockWidgetArea, &dock);
+    dock.hide();
+    connect(m_sampleDock, &SampleDock::currentSampleChanged, m_metrics.get(), &MetricTools::setSample);
+    m_metrics->setSample(m_sampleDock->currentSample());
+    connect(&dock, &MetricGraphDock::exported, this,
+            [this](const QString& path) { showNote(tr("The figures are at %1").arg(path)); });
 }
 
 void MainWindow::arrangeDocks() {
@@ -127,6 +142,7 @@ void MainWindow::makeStatusBar() {
     m_frameTime = new QLabel;
     m_frameTime->setToolTip(tr("The method shown, and how long its last frame took"));
     statusBar()->addWidget(new JobStatus(m_jobs));
+    m_metrics->addTo(*statusBar());
     statusBar()->addPermanentWidget(m_frameTime);
     statusBar()->setContentsMargins(8, 0, 10, 0);
     statusBar()->setSizeGripEnabled(false);
@@ -193,6 +209,8 @@ void MainWindow::makeViewMenu() {
     }
     m_viewport->setNavigation(widgets::Viewport::Navigation(chosen));
     view->addActions({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
+    view->addSeparator();
+    m_metrics->addTo(*view);
     view->addSeparator();
     for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
     addAction(*view, nullptr, tr("&Reset Layout"), {},

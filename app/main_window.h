@@ -23,6 +23,7 @@ namespace chiaro::app {
 
 class GradientDock;
 class MethodSwitch;
+class MetricTools;
 class ParametersDock;
 class RecentFiles;
 class SampleDock;
@@ -53,6 +54,7 @@ public:
     SampleDock& sampleDock() { return *m_sampleDock; }
     GradientDock& gradientDock() { return *m_gradientDock; }
     ViewPlanningDock& viewPlanningDock() { return *m_viewsDock; }
+    MetricTools& metrics() { return *m_metrics; }
     QString frameText() const;  ///< in the status bar: the method and its frame time
 
 public Q_SLOTS:
@@ -74,6 +76,7 @@ protected:
 private:
     void makeCentralView();
     void makeDocks();
+    void makeMetrics();
     void arrangeDocks();
     void makeToolBar();
     void makeStatusBar();
@@ -105,6 +108,7 @@ private:
     ViewPlans m_viewPlans;
     ObjectTextures m_objectTextures;
     Opener m_opener;
+    std::unique_ptr<MetricTools> m_metrics;
 
     MethodSwitch* m_methods = nullptr;
     widgets::MessageBar* m_messages = nullptr;

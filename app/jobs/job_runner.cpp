@@ -79,7 +79,8 @@ void JobRunner::ended() {
 
 std::vector<JobRunner::JobInfo> JobRunner::jobs() const {
     std::vector<JobInfo> list;
-    for (const auto& [number, job] : m_jobs) list.push_back({number, job->spec.title, job->progress});
+    for (const auto& [number, job] : m_jobs)
+        if (!job->spec.isQuiet) list.push_back({number, job->spec.title, job->progress});
     return list;
 }
 

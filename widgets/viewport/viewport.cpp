@@ -10,6 +10,7 @@
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
+#include <QPointer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -27,6 +28,7 @@ struct Viewport::Impl {
     CpuView* cpuView = nullptr;  ///< or this
     LightSphere* sphere = nullptr;
     QLabel* note = nullptr;
+    std::vector<QPointer<QWidget>> overlays;
 
     Gesture gesture = Gesture::None;
     Qt::MouseButton button = Qt::NoButton;  ///< whose drag it is
@@ -74,11 +76,14 @@ void Viewport::Impl::refresh() {
     if (cpuView) cpuView->refresh();
     const int sample = state.scene().objects.empty() ? 0 : state.scene().objects.front().sample;
     sphere->show(state.scene().lights, state.camera, state.paint(sample).gradient);
+    Q_EMIT widget.pictureChanged();
 }
 
 void Viewport::Impl::placeOverlays() {
     constexpr int margin = 12;
     sphere->move(widget.width() - sphere->width() - margin, margin);
+    for (const QPointer<QWidget>& overlay : overlays)
+        if (overlay) overlay->setGeometry(widget.rect());
     if (!note) return;
     note->setWordWrap(false);
     const int width = std::min(note->sizeHint().width(), widget.width() - 2 * margin);
@@ -256,6 +261,17 @@ std::vector<methods::TexturePlacement> Viewport::placements() const {
     return m_impl->state.placements();
 }
 
+ViewSnapshot Viewport::snapshot() const {
+    return ViewSnapshot::of(m_impl->state, pixels());
+}
+
+void Viewport::addOverlay(QWidget* overlay) {
+    overlay->setParent(this);
+    overlay->setGeometry(rect());
+    m_impl->overlays.push_back(overlay);
+    m_impl->sphere->raise();
+}
+
 bool Viewport::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         // Numpad keys are views here, whatever the plain digits are shortcuts of.
@@ -323,6 +339,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 void Viewport::resizeEvent(QResizeEvent*) {
     m_impl->placeOverlays();
     Q_EMIT viewChanged();
+    Q_EMIT pictureChanged();
 }
 
 void Viewport::dragEnterEvent(QDragEnterEvent* event) {
