@@ -1,14 +1,19 @@
 #include "app/main_window.h"
 
 #include "app/docks/gradient_dock.h"
+#include "app/docks/history_dock.h"
+#include "app/docks/jobs_dock.h"
 #include "app/docks/parameters_dock.h"
 #include "app/docks/sample_dock.h"
+#include "app/docks/scene_dock.h"
+#include "app/docks/timeline_dock.h"
 #include "app/docks/view_planning_dock.h"
 #include "app/empty_hint.h"
 #include "app/export_dialog.h"
 #include "app/job_status.h"
 #include "app/method_switch.h"
 #include "app/recent_files.h"
+#include "app/safekeeping.h"
 #include "app/view_overlays.h"
 #include "app/viewport_link.h"
 #include "core/base/error.h"
@@ -24,7 +29,7 @@ namespace chiaro::app {
 namespace {
 
 constexpr std::size_t memoBytes = std::size_t(1) << 30;
-constexpr int layoutVersion = 3;  ///< of the saved arrangement of docks
+constexpr int layoutVersion = 4;  ///< of the saved arrangement of docks
 constexpr glm::vec3 viewportBackground(0.165F);
 
 const char* const projectFilter = QT_TRANSLATE_NOOP("MainWindow", "Chiaro projects (*.chiaro)");
@@ -46,6 +51,7 @@ MainWindow::MainWindow()
     : m_memo(memoBytes),
       m_paints(m_document, m_jobs, m_memo),
       m_meshes(m_document, m_jobs, m_memo),
+      m_playback(m_document, m_meshes),
       m_frameTextures(m_document, m_jobs, m_memo, m_paints, m_meshes),
       m_viewPlans(m_document, m_jobs, m_memo, m_meshes),
       m_objectTextures(m_document, m_jobs, m_memo, m_paints, m_meshes, m_viewPlans),
@@ -58,6 +64,7 @@ MainWindow::MainWindow()
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     makeCentralView();
     makeDocks();
+    makeBottomDocks();
     makeToolBar();
     makeStatusBar();
     makeMenus();
@@ -70,6 +77,7 @@ MainWindow::MainWindow()
 
 MainWindow::~MainWindow() {
     // The views refer to the document and what is derived from it, which are members: they go first.
+    delete m_safekeeping;
     delete takeCentralWidget();
     qDeleteAll(findChildren<QDockWidget*>());
 }
@@ -86,15 +94,20 @@ void MainWindow::makeCentralView() {
     layout->addWidget(m_viewport, 1);
     setCentralWidget(center);
     new EmptyHint(m_document, m_viewport);
-    new ViewportLink(m_document, m_paints, m_meshes, m_frameTextures, m_objectTextures, *m_viewport, center);
+    new ViewportLink(m_document, m_playback, m_paints, m_meshes, m_frameTextures, m_objectTextures,
+                     *m_viewport, center);
 }
 
 void MainWindow::makeDocks() {
     m_sampleDock = new SampleDock(m_document, m_paints);
     m_gradientDock = new GradientDock(m_document, m_paints);
     m_parametersDock = new ParametersDock(m_document);
+    m_sceneDock = new SceneDock(m_document, m_meshes);
     m_gradientDock->setSample(m_sampleDock->currentSample());
     addDockWidget(Qt::LeftDockWidgetArea, m_sampleDock);
+    addDockWidget(Qt::LeftDockWidgetArea, m_sceneDock);
+    tabifyDockWidget(m_sampleDock, m_sceneDock);
+    m_sampleDock->raise();
     addDockWidget(Qt::RightDockWidgetArea, m_gradientDock);
     m_viewsDock = new ViewPlanningDock(m_document, m_jobs, m_memo, m_meshes, m_viewPlans);
     addDockWidget(Qt::LeftDockWidgetArea, m_parametersDock);
@@ -107,7 +120,20 @@ void MainWindow::makeDocks() {
     m_viewsDock->addSwitches({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
 }
 
+void MainWindow::makeBottomDocks() {
+    m_timelineDock = new TimelineDock(m_document, m_playback);
+    m_jobsDock = new JobsDock(m_jobs);
+    m_historyDock = new HistoryDock(m_document.undoStack());
+    addDockWidget(Qt::BottomDockWidgetArea, m_timelineDock);
+    addDockWidget(Qt::BottomDockWidgetArea, m_jobsDock);
+    addDockWidget(Qt::BottomDockWidgetArea, m_historyDock);
+    tabifyDockWidget(m_timelineDock, m_jobsDock);
+    tabifyDockWidget(m_jobsDock, m_historyDock);
+    m_timelineDock->raise();
+}
+
 void MainWindow::arrangeDocks() {
+    layout()->activate();
     resizeDocks({m_sampleDock, m_gradientDock}, {340, 340}, Qt::Horizontal);
     resizeDocks({m_sampleDock, m_parametersDock}, {515, 335}, Qt::Vertical);
 }
@@ -153,7 +179,8 @@ void MainWindow::makeMenus() {
     edit->addActions({undo, redo});
     makeViewMenu();
     makeSampleMenu();
-    m_methods->addTo(*menuBar()->addMenu(tr("&Render")));
+    makeSceneMenu();
+    makeRenderMenu();
     makeHelpMenu();
 }
 
@@ -222,6 +249,29 @@ void MainWindow::makeSampleMenu() {
     });
 }
 
+void MainWindow::makeSceneMenu() {
+    QMenu* scene = menuBar()->addMenu(tr("S&cene"));
+    addAction(*scene, "mesh", tr("&Add Mesh…"), QKeySequence("Ctrl+Shift+M"), [this] { addMeshByDialog(); });
+    addAction(*scene, "light-add", tr("Add &Light"), {}, [this] { m_sceneDock->addLight(); });
+    scene->addSeparator();
+    // Their keys are the list's own, so that they never take a letter from a text field.
+    addAction(*scene, "duplicate", tr("&Duplicate"), {}, [this] { m_sceneDock->duplicateSelected(); });
+    addAction(*scene, "eye", tr("&Hide or Show"), {}, [this] { m_sceneDock->toggleSelected(); });
+    addAction(*scene, "remove", tr("&Remove"), {}, [this] { m_sceneDock->removeSelected(); });
+}
+
+void MainWindow::makeRenderMenu() {
+    QMenu* render = menuBar()->addMenu(tr("&Render"));
+    m_methods->addTo(*render);
+    render->addSeparator();
+    addAction(*render, "play", tr("&Play or Pause"), QKeySequence("Ctrl+Space"),
+              [this] { m_timelineDock->togglePlaying(); });
+    addAction(*render, "key-camera", tr("Key &Camera"), QKeySequence("K"),
+              [this] { m_timelineDock->keyCamera(); });
+    addAction(*render, "key-light", tr("Key &Light"), QKeySequence("Shift+K"),
+              [this] { m_timelineDock->keyLight(); });
+}
+
 void MainWindow::makeHelpMenu() {
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     addAction(*help, "note", tr("&About Chiaro"), {}, [this] {
@@ -246,6 +296,10 @@ void MainWindow::connectParts() {
     });
     connect(&m_opener, &Opener::sampleOpened, m_sampleDock, &SampleDock::selectSample);
     m_opener.setReplaceQuestion([this] { return mayDiscard(); });
+    connect(&m_opener, &Opener::meshOpened, m_sceneDock, &SceneDock::selectRow);
+    connect(m_sceneDock, &SceneDock::addMeshWanted, this, &MainWindow::addMeshByDialog);
+    connect(m_sceneDock, &SceneDock::filesDropped, &m_opener, &Opener::add);
+    connect(m_sceneDock, &SceneDock::lightSelected, m_viewport, &widgets::Viewport::setTurnedLight);
     connect(m_recent, &RecentFiles::chosen, this, [this](const QString& path) { open({path}); });
     connect(m_sampleDock, &SampleDock::currentSampleChanged, m_gradientDock, &GradientDock::setSample);
     connect(m_sampleDock, &SampleDock::currentSampleChanged, &m_opener, &Opener::setCurrentSample);
@@ -275,13 +329,20 @@ void MainWindow::newProject() {
     if (mayDiscard()) m_document.replace({}, {}, {});
 }
 
-void MainWindow::openByDialog(const QString& title, const QString& filter) {
+QStringList MainWindow::chooseFiles(const QString& title, const QString& filter) {
     QSettings settings;
     const QString folder = settings.value("folder/" + title).toString();
     const QStringList paths = QFileDialog::getOpenFileNames(this, title, folder, filter);
-    if (paths.isEmpty()) return;
-    settings.setValue("folder/" + title, QFileInfo(paths.front()).path());
-    open(paths);
+    if (!paths.isEmpty()) settings.setValue("folder/" + title, QFileInfo(paths.front()).path());
+    return paths;
+}
+
+void MainWindow::openByDialog(const QString& title, const QString& filter) {
+    if (const QStringList paths = chooseFiles(title, filter); !paths.isEmpty()) open(paths);
+}
+
+void MainWindow::addMeshByDialog() {
+    m_opener.add(chooseFiles(tr("Add Mesh"), tr(meshFilter)));
 }
 
 bool MainWindow::save() {
@@ -339,6 +400,7 @@ void MainWindow::exportPicture() {
     for (int object = 0; object < int(source.scene.objects.size()); ++object)
         source.objectTextures.push_back(
             m_objectTextures.isFinal(object) ? m_objectTextures.textures()[std::size_t(object)] : nullptr);
+    source.scene.lights = m_playback.view().lights;
     const PictureSettings settings = dialog.settings();
     const QString name = QString::fromStdString(settings.path.filename().string());
     m_jobs.start(
@@ -370,6 +432,12 @@ void MainWindow::restoreLayout() {
     const QSettings settings;
     restoreGeometry(settings.value("window/geometry").toByteArray());
     restoreState(settings.value("window/state").toByteArray(), layoutVersion);
+}
+
+bool MainWindow::keepWorkSafe() {
+    m_safekeeping = new Safekeeping(m_document, m_opener, Autosave::standardFolder(), *this);
+    statusBar()->insertPermanentWidget(0, m_safekeeping->label());
+    return m_safekeeping->offerRecovery();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

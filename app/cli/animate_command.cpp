@@ -42,10 +42,10 @@ struct AnimateCommand {
     methods::CoherenceParams coherence;
     std::vector<std::function<void(methods::CoherenceParams&)>> coherenceFlags;
     std::filesystem::path output;
-    std::string frames = "1-48";
-    std::string path = "turntable";
+    std::string frames;  ///< empty: the project's, where something moves in it
+    std::string path;    ///< empty: likewise
     int period = 48;
-    double framesPerSecond = 24;
+    std::optional<double> framesPerSecond;
     bool resume = false;
 
     bool makesVideo() const { return exporting::isWritableVideo(output); }
@@ -53,12 +53,13 @@ struct AnimateCommand {
     void run(Session& session) const {
         session.start();
         checkFlags();
-        const FrameRange range = rangeOf();
+        rangeOf({});
         const Task task = session.task("animate");
         project::Project project = source.load();
+        const FrameRange range = rangeOf(project.animation);
         if (!coherenceFlags.empty() && !source.methodGiven()) project.method = "image-based";
         for (const auto& apply : coherenceFlags) apply(project.coherence);
-        const scene::Path way = pathOf();
+        const scene::Path way = pathOf(project.animation);
         refuseInputs(project, range);
         Stopwatch stopwatch;
         const LoadedProject loaded = loadProject(std::move(project), task.part(0, 0.1));
@@ -88,20 +89,25 @@ struct AnimateCommand {
         if (resume) throw CLI::ValidationError("--resume: is for sequences of pictures; write name.####.png");
     }
 
-    FrameRange rangeOf() const {
-        FrameRange range;
-        usageFrom("--frames", [&] { range = FrameRange::parse(frames); });
+    FrameRange rangeOf(const project::Animation& animation) const {
+        FrameRange range{1, 48};
+        if (!frames.empty())
+            usageFrom("--frames", [&] { range = FrameRange::parse(frames); });
+        else if (path.empty() && animation.path.moves())
+            range = {animation.firstFrame, animation.lastFrame};
         return range;
     }
 
-    scene::Path pathOf() const {
-        if (path == "turntable") return scene::Path::turntable(period);
+    scene::Path pathOf(const project::Animation& animation) const {
+        if (path.empty() && animation.path.moves()) return animation.path;
+        if (path.empty() || path == "turntable") return scene::Path::turntable(period);
         if (path == "light") return scene::Path::lightSweep(period);
         return project::readPath(path);
     }
 
     void refuseInputs(const project::Project& project, FrameRange range) const {
-        std::vector<std::filesystem::path> inputs{project.mesh, source.path(), path}, outputs;
+        std::vector<std::filesystem::path> inputs{source.path(), path};
+        for (const project::MeshFile& mesh : project.meshes) inputs.push_back(mesh.path);
         for (const project::Sample& sample : project.samples) inputs.push_back(sample.scan);
         if (makesVideo()) return refuseOverwriting(inputs, {output});
         for (int frame = range.first; frame <= range.last; ++frame)
@@ -142,7 +148,8 @@ struct AnimateCommand {
     }
 
     int makeVideo(const project::Shot& shot, FrameRange range, const Task& task) const {
-        VideoWriter video(output, shot.width, shot.height, framesPerSecond);
+        VideoWriter video(output, shot.width, shot.height,
+                          framesPerSecond.value_or(shot.project.animation.rate));
         project::ShotViews views(shot);
         const auto painter = project::framePainter(shot, views);
         for (int frame = range.first; frame <= range.last; ++frame)
@@ -191,17 +198,23 @@ void addAnimateCommand(CLI::App& root, Session& session) {
                      "Pictures to write, name.####.png (.exr, .tif), #### being the frame; or a video: .mp4, "
                      ".webm or .mkv (lossless)")
         ->required();
-    command->add_option("--frames", state->frames,
-                        "First and last frame, as 1-48 (default 1-48); any part of a path gives the frames "
-                        "that the whole path gives");
+    command->add_option(
+        "--frames", state->frames,
+        "First and last frame, as 1-48 (default: the project's render range if it has keys, else "
+        "1-48); any part of a path gives the frames "
+        "that the whole path gives");
     command->add_option(
         "--path", state->path,
         "turntable (the camera goes around, from the project's view on), light (the lights go "
-        "around +Y), or a JSON file of camera and light keys (default turntable)");
+        "around +Y), or a JSON file of camera and light keys (default: the keys of the project's timeline, "
+        "or "
+        "turntable if it has none)");
     command->add_option("--period", state->period, "Frames in which a turn goes around once (default 48)")
         ->check(CLI::Range(1, 100000));
     addCoherenceFlags(*command, *state);
-    command->add_option("--fps", state->framesPerSecond, "Frames a second of a video (1..240; default 24)")
+    command
+        ->add_option("--fps", state->framesPerSecond,
+                     "Frames a second of a video (1..240; default: the project's, or 24)")
         ->check(CLI::Range(1.0, 240.0));
     command->add_flag("--resume", state->resume,
                       "Keep pictures that are there already and were made by the same command from the same "

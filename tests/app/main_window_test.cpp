@@ -238,7 +238,7 @@ private Q_SLOTS:
         const QImage shown = window.viewport().picture();
         const auto model = app::LoadedModel::read(m_folder / "mesh.obj", {});
         app::PictureSource source{window.document().project(),
-                                  project::makeScene(window.document().project(), model.meshes),
+                                  project::makeScene(window.document().project(), {model.meshes}),
                                   window.viewport().camera(),
                                   {{window.paints().state(0).levels, window.paints().gradient(0)}},
                                   window.viewport().placements(),

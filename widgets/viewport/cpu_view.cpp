@@ -163,8 +163,8 @@ CpuView::Result CpuView::rendered(const Job& job, const Rays& rays, int coarsene
     const Task task(stop);
     const QSize size(std::max(1, job.pixels.width() / coarseness),
                      std::max(1, job.pixels.height() / coarseness));
-    const scene::GBuffer gbuffer =
-        scene::castGBuffer(*rays, job.scene.lights, job.camera, size.width(), size.height(), task);
+    const scene::GBuffer gbuffer = scene::castGBuffer(rays->with(job.scene.occlusion), job.scene.lights,
+                                                      job.camera, size.width(), size.height(), task);
     const methods::Frame frame = shaded(job, gbuffer, coarseness, task);
     const QImage image = toQImage(methods::over(frame.picture, job.background));
     return {rays, image, double(timer.nsecsElapsed()) * 1e-6, coarseness == 1};
