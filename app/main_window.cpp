@@ -70,7 +70,6 @@ MainWindow::MainWindow()
     makeMenus();
     connectParts();
     resize(1400, 900);
-    arrangeDocks();
     m_standardState = saveState(layoutVersion);
     showTitle();
 }
@@ -133,9 +132,9 @@ void MainWindow::makeBottomDocks() {
 }
 
 void MainWindow::arrangeDocks() {
-    layout()->activate();
     resizeDocks({m_sampleDock, m_gradientDock}, {340, 340}, Qt::Horizontal);
     resizeDocks({m_sampleDock, m_parametersDock}, {515, 335}, Qt::Vertical);
+    resizeDocks({m_timelineDock}, {m_timelineDock->minimumSizeHint().height()}, Qt::Vertical);
 }
 
 void MainWindow::makeToolBar() {
@@ -223,7 +222,10 @@ void MainWindow::makeViewMenu() {
     view->addSeparator();
     for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
     addAction(*view, nullptr, tr("&Reset Layout"), {},
-              [this] { restoreState(m_standardState, layoutVersion); });
+              [this] {
+                  restoreState(m_standardState, layoutVersion);
+                  arrangeDocks();
+              });
 }
 
 void MainWindow::makeSampleMenu() {
@@ -431,7 +433,13 @@ void MainWindow::showTitle() {
 void MainWindow::restoreLayout() {
     const QSettings settings;
     restoreGeometry(settings.value("window/geometry").toByteArray());
-    restoreState(settings.value("window/state").toByteArray(), layoutVersion);
+    m_isArranged = restoreState(settings.value("window/state").toByteArray(), layoutVersion);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    // Docks have sizes once they are shown: before that Qt gives room away by its own lights.
+    if (!std::exchange(m_isArranged, true)) QTimer::singleShot(0, this, &MainWindow::arrangeDocks);
 }
 
 bool MainWindow::keepWorkSafe() {

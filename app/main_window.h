@@ -80,6 +80,7 @@ Q_SIGNALS:
     void errorShown(const QString& message);
 
 protected:
+    void showEvent(QShowEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -141,6 +142,7 @@ private:
     Safekeeping* m_safekeeping = nullptr;
     QLabel* m_frameTime = nullptr;
     QByteArray m_standardState;
+    bool m_isArranged = false;
 };
 
 }  // namespace chiaro::app

@@ -74,7 +74,6 @@ SceneDock::SceneDock(Document& document, Meshes& meshes)
     layout->addWidget(m_pages);
     layout->addWidget(makeOcclusion());
     setAcceptDrops(true);
-    installEventFilter(this);
     connect(&document, &Document::changed, this, &SceneDock::applyChange);
     connect(&meshes, &Meshes::sceneChanged, this, &SceneDock::showCurrent);
     applyChange({});
@@ -428,15 +427,16 @@ bool SceneDock::isListKey(const QKeyEvent& event) {
 bool SceneDock::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_list && event->type() == QEvent::KeyPress)
         return isListKey(*static_cast<QKeyEvent*>(event));
-    if (watched == this && (event->type() == QEvent::DragEnter || event->type() == QEvent::Drop)) {
-        auto* drop = static_cast<QDropEvent*>(event);
-        const QStringList paths = localFiles(*drop->mimeData());
-        if (paths.isEmpty()) return false;
-        drop->acceptProposedAction();
-        if (event->type() == QEvent::Drop) Q_EMIT filesDropped(paths);
-        return true;
-    }
     return Dock::eventFilter(watched, event);
+}
+
+void SceneDock::dragEnterEvent(QDragEnterEvent* event) {
+    if (!localFiles(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void SceneDock::dropEvent(QDropEvent* event) {
+    event->acceptProposedAction();
+    Q_EMIT filesDropped(localFiles(*event->mimeData()));
 }
 
 }  // namespace chiaro::app

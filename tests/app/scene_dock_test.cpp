@@ -136,7 +136,7 @@ private Q_SLOTS:
         QVERIFY(editor);
         QTest::keyClicks(editor, "Sun");
         QTest::keyClick(editor, Qt::Key_Return);
-        QCOMPARE(stage.project().lights[0].name, std::string("Sun"));
+        QTRY_COMPARE(QString::fromStdString(stage.project().lights[0].name), "Sun");
     }
 
     void removingTheLastObjectOfAFileRemovesTheFile() {
