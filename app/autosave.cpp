@@ -66,15 +66,16 @@ Autosave::~Autosave() {
 }
 
 void Autosave::noteEdit() {
+    if (std::exchange(m_isNoted, true)) return;
+    // The undo stack tells whether the document is modified only once the change is done.
+    QMetaObject::invokeMethod(this, &Autosave::follow, Qt::QueuedConnection);
+}
+
+void Autosave::follow() {
+    m_isNoted = false;
     if (!m_document.isModified()) return clear();
+    if (!m_hasCopy || m_edits >= m_rhythm.edits) return keep();
     if (!m_soon.isActive()) m_soon.start();
-    // The undo stack tells its new index after the change.
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-            if (m_document.isModified() && (!m_hasCopy || m_edits >= m_rhythm.edits)) keep();
-        },
-        Qt::QueuedConnection);
 }
 
 void Autosave::keep() {

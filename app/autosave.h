@@ -62,6 +62,7 @@ Q_SIGNALS:
 
 private:
     void noteEdit();
+    void follow();
     void keep();
     void clear();
 
@@ -73,6 +74,7 @@ private:
     QTimer m_soon;
     int m_edits = 0;  ///< since the last copy
     bool m_hasCopy = false;
+    bool m_isNoted = false;  ///< follow() is on its way
     QThreadPool m_writer;  ///< one thread, so that files are written in order
 };
 

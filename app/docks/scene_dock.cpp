@@ -232,6 +232,7 @@ QWidget* SceneDock::makeOcclusion() {
     layout->setSpacing(6);
     auto* heading = new QLabel(tr("Shadows"));
     heading->setProperty("heading", true);
+    heading->setIndent(0);
     heading->setToolTip(
         tr("Off is fastest: with shadows or ambient occlusion the CPU draws the viewport, a "
            "coarse picture first."));

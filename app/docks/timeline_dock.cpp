@@ -77,8 +77,11 @@ QWidget* TimelineDock::makeTransport() {
     auto* last = addButton("last-frame", tr("Last frame"), tr("Go to the last frame that is rendered"));
     addGap(*row);
     row->addWidget(new QLabel(tr("Frame")));
+    row->addSpacing(4);
     m_frame = addNumber(*row, "frame", tr("Current frame"), tr("The frame that is shown"));
+    row->addSpacing(4);
     row->addWidget(new QLabel(tr("of")));
+    row->addSpacing(4);
     m_frames = addNumber(*row, "frames", tr("Frames"),
                          tr("How many frames there are; turns go around once in them"));
     addGap(*row);
@@ -136,8 +139,11 @@ QWidget* TimelineDock::makeKeys() {
     row->addWidget(m_interpolation);
     addGap(*row);
     row->addWidget(new QLabel(tr("Render")));
+    row->addSpacing(4);
     m_first = addNumber(*row, "first", tr("First frame to render"), tr("The first frame that is rendered"));
+    row->addSpacing(4);
     row->addWidget(new QLabel(tr("to")));
+    row->addSpacing(4);
     m_last = addNumber(*row, "last", tr("Last frame to render"), tr("The last frame that is rendered"));
     row->addStretch(1);
     connect(camera, &QToolButton::clicked, this, &TimelineDock::keyCamera);

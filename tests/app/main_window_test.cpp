@@ -203,7 +203,7 @@ private Q_SLOTS:
         QApplication::sendEvent(&window, &drop);
         QVERIFY(QTest::qWaitFor([&] { return window.jobs().isIdle(); }, 60'000));
         QCOMPARE(window.document().project().samples.size(), 1U);
-        QVERIFY(!window.document().project().mesh.empty());
+        QVERIFY(!window.document().project().meshes.empty());
     }
 
     void cancellingLeavesNothingRunning() {
