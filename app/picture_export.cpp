@@ -79,7 +79,7 @@ methods::Frame viewDependentFrame(const PictureSource& source, const scene::GBuf
         project::Worn& one = worn.emplace_back(
             project::Worn{&paint, i < source.objectTextures.size() ? source.objectTextures[i] : nullptr,
                           glm::inverse(object.transform)});
-        if (!isPainted || !object.visible) continue;
+        if (!isPainted || !object.visible || !object.mesh) continue;
         const Task part = task.part(share * double(i), share * double(i + 1));
         if (paint.shown.empty() || (!one.views && paint.strip.empty()))
             paint =

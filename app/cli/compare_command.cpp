@@ -69,6 +69,13 @@ struct CompareCommand {
         session.finish(json, markdown);
     }
 
+    static std::string meshNames(const project::Project& project) {
+        std::string names;
+        for (const project::MeshFile& mesh : project.meshes)
+            names += (names.empty() ? "" : ", ") + mesh.path.filename().string();
+        return names;
+    }
+
     /// Below the table: what it is of, and the pictures.
     std::string measuredWhat(const project::Project& project, const project::ComparisonParams& wanted) const {
         std::string text = fmt::format(
@@ -77,7 +84,7 @@ struct CompareCommand {
             "animate {}. ± is the standard error. The report measured another mesh, sample and animation: "
             "the "
             "order of its figures is to be compared, not their size.\n",
-            wanted.frames, project.mesh.filename().string(), path.name(), wanted.width, wanted.height,
+            wanted.frames, meshNames(project), path.name(), wanted.width, wanted.height,
             wanted.measure.pixels, wanted.seeds, wanted.measure.block,
             settings == "report" ? "as the report describes them" : "as the project says");
         std::string names;

@@ -207,7 +207,7 @@ private Q_SLOTS:
         QApplication::sendEvent(&window, &drop);
         QVERIFY(QTest::qWaitFor([&] { return window.jobs().isIdle(); }, 60'000));
         QCOMPARE(window.document().project().samples.size(), 1U);
-        QVERIFY(!window.document().project().mesh.empty());
+        QVERIFY(!window.document().project().meshes.empty());
     }
 
     void cancellingLeavesNothingRunning() {
@@ -242,7 +242,7 @@ private Q_SLOTS:
         const QImage shown = window.viewport().picture();
         const auto model = app::LoadedModel::read(m_folder / "mesh.obj", {});
         app::PictureSource source{window.document().project(),
-                                  project::makeScene(window.document().project(), model.meshes),
+                                  project::makeScene(window.document().project(), {model.meshes}),
                                   window.viewport().camera(),
                                   {{window.paints().state(0).levels, window.paints().gradient(0)}},
                                   window.viewport().placements(),

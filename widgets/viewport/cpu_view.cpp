@@ -81,8 +81,8 @@ CpuView::Result CpuView::rendered(const Job& job, const Rays& rays, int coarsene
     const ViewSnapshot& view = job.view;
     const QSize size(std::max(1, view.pixels.width() / coarseness),
                      std::max(1, view.pixels.height() / coarseness));
-    const scene::GBuffer gbuffer =
-        scene::castGBuffer(*rays, view.scene.lights, view.camera, size.width(), size.height(), task);
+    const scene::GBuffer gbuffer = scene::castGBuffer(rays->with(view.scene.occlusion), view.scene.lights,
+                                                      view.camera, size.width(), size.height(), task);
     const methods::Frame frame = shaded(view, gbuffer, coarseness, task);
     const QImage image = toQImage(methods::over(frame.picture, view.background));
     return {rays, image, double(timer.nsecsElapsed()) * 1e-6, coarseness == 1};

@@ -24,13 +24,16 @@ public:
     explicit Viewport(QWidget* parent = nullptr);
     ~Viewport() override;
 
-    /// False: the CPU renderer's pictures are shown, and a note over the picture says so.
+    /// False: the CPU renderer's pictures are shown, and a note over the picture says so. So it is without
+    /// OpenGL, and while the scene has shadows or ambient occlusion, which only that renderer casts.
     bool usesOpenGl() const;
 
     /// Meshes are shared snapshots: only those that changed are uploaded. An object that was there before
     /// (the same mesh under the same name) keeps its place on the texture. Takes the scene's lights as well.
     void setScene(const scene::Scene& scene);
     void setLights(const std::vector<scene::Light>& lights);
+    /// The light that drags turn; the first one at first.
+    void setTurnedLight(int light);
     void setCamera(const scene::Camera& camera);
     const scene::Camera& camera() const;
 
