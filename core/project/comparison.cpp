@@ -94,7 +94,7 @@ struct MeasuredSample {
 
 class Measurer {
 public:
-    Measurer(const scene::Scene& scene, const std::vector<Paint>& paints,
+    Measurer(const Project& project, const scene::Scene& scene, const std::vector<Paint>& paints,
              const metrics::MeasureParams& params, const Task& task)
         : m_params(params) {
         for (int sample = 0; sample < int(paints.size()); ++sample) {
@@ -102,11 +102,15 @@ public:
             for (std::size_t i = 0; i < scene.objects.size(); ++i)
                 wears[i + 1] = scene.objects[i].visible && scene.objects[i].sample == sample;
             if (std::ranges::find(wears, true) == wears.end()) continue;
-            const Paint& paint = paints[std::size_t(sample)];
-            m_samples.push_back(
-                {std::move(wears),
-                 metrics::NeighbourIndex(gradient::recolored(paint.separation.texture, paint.shown),
-                                         params.block, task)});
+            try {
+                const Paint& paint = paints[std::size_t(sample)];
+                m_samples.push_back(
+                    {std::move(wears),
+                     metrics::NeighbourIndex(gradient::recolored(paint.separation.texture, paint.shown),
+                                             params.block, task)});
+            } catch (const Error& error) {
+                throw Error(project.samples[std::size_t(sample)].scan.string(), error);
+            }
         }
     }
 
@@ -189,7 +193,7 @@ std::vector<MeasuredErrors> measureSeed(const Project& project, int seed, const 
     const Shot shot{project, shared.scene, worn, shared.path, params.width, params.height};
     ShotViews views(shot, task.part(0.4, 0.4));
     const auto painter = framePainter(shot, views);
-    const Measurer measurer(shared.scene, paints, params.measure, task.part(0.4, 0.5));
+    const Measurer measurer(project, shared.scene, paints, params.measure, task.part(0.4, 0.5));
     std::vector<MeasuredErrors> errors;
     ColorImage before;
     for (int frame = 1; frame <= params.frames; ++frame) {
@@ -212,10 +216,11 @@ std::vector<MeasuredErrors> measureSeed(const Project& project, int seed, const 
 
 /// Throws Error when frames have too little in them to say anything.
 void checkMeasured(const MeasuredErrors& errors) {
-    const char* const remedy = "make them larger, or let less change from one to the next";
-    if (errors.similarity.count == 0) throw Error("frames", "show nothing on which a block fits", remedy);
+    if (errors.similarity.count == 0)
+        throw Error("frames", "show nothing on which a block fits",
+                    "make them larger, or let the camera come nearer");
     if (errors.temporalImage.count == 0 || errors.temporalObject.count == 0)
-        throw Error("frames", "share nothing that could be compared", remedy);
+        throw Error("frames", "share nothing that could be compared", "let less change from one to the next");
 }
 
 MethodMeasure measureMethod(const Project& project, const std::string& method, const Shared& shared,
