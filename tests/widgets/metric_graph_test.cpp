@@ -1,6 +1,7 @@
 #include "widgets/metric_graph.h"
 
 #include "widgets/folding_row.h"
+#include "widgets/metric_axes.h"
 #include "widgets/metric_legend.h"
 #include "widgets/metric_row.h"
 #include "widgets/round_step.h"
@@ -151,7 +152,7 @@ private Q_SLOTS:
         QCOMPARE(row.shownCharts().size(), 1U);
         row.setCharts({twoCurves(), tall}, false);
         QVERIFY2(row.graph(0)->isHidden(), "new figures don't bring back what was put away");
-        QCOMPARE(MetricGraph::mostOf(tall), 4.0);
+        QCOMPARE(widgets::mostOf(tall), 4.0);
     }
 
     void aRowFoldsWhereItIsTooNarrow() {
