@@ -63,6 +63,7 @@ void Viewport::Impl::showByOpenGl() {
 void Viewport::Impl::showByCpu() {
     cpuView = new CpuView(state, &widget);
     widget.layout()->addWidget(cpuView);
+    cpuView->lower();  // below what lies over the picture already
     connect(cpuView, &CpuView::frameDrawn, &widget, &Viewport::frameDrawn);
     note = new QLabel(tr("No OpenGL here: these are the CPU renderer's pictures."), &widget);
     note->setStyleSheet("background: rgba(0, 0, 0, 150); color: white; padding: 4px 8px;");
@@ -268,8 +269,10 @@ ViewSnapshot Viewport::snapshot() const {
 void Viewport::addOverlay(QWidget* overlay) {
     overlay->setParent(this);
     overlay->setGeometry(rect());
+    overlay->lower();
+    if (m_impl->glView) m_impl->glView->lower();
+    if (m_impl->cpuView) m_impl->cpuView->lower();
     m_impl->overlays.push_back(overlay);
-    m_impl->sphere->raise();
 }
 
 bool Viewport::event(QEvent* event) {
