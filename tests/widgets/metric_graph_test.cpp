@@ -72,6 +72,12 @@ private Q_SLOTS:
         QCOMPARE(shown.picked.count(), 5);
     }
 
+    void hoveringNeedsNoButton() {
+        Shown shown;
+        QTest::mouseMove(shown.canvas(), QPoint(shown.graph.width() / 2, 60));
+        QTRY_VERIFY_WITH_TIMEOUT(shown.graph.picked(), 3000);
+    }
+
     void theNoteTellsEveryCurvesValue() {
         Shown shown;
         shown.graph.pick(3);
