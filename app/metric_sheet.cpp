@@ -61,6 +61,15 @@ metrics::Axis axisOf(metrics::Distortion distortion) {
     return axis;
 }
 
+/// Whole frames from the first on, at most nine.
+std::vector<double> frameTicks(const std::vector<project::MethodMeasure>& table) {
+    const std::size_t count = table.empty() ? 0 : table.front().perFrame.size();
+    const std::size_t step = count / 9 + 1;
+    std::vector<double> ticks;
+    for (std::size_t frame = 1; frame <= count; frame += step) ticks.push_back(double(frame));
+    return ticks;
+}
+
 std::string pngOf(const std::string& svg) {
     constexpr int scale = 2;
     QSvgRenderer renderer(QByteArray::fromStdString(svg));
@@ -90,7 +99,7 @@ std::vector<metrics::LineChart> frameCharts(const std::vector<project::MethodMea
         metrics::LineChart& chart = charts.emplace_back();
         chart.title = kind.label;
         chart.x.label = "frame";
-        chart.x.least = 1;
+        chart.x.ticks = frameTicks(table);
         chart.y.label = "error";
         chart.y.least = 0;
         for (const project::MethodMeasure& method : table) {

@@ -1,6 +1,6 @@
 #include "widgets/metric_graph.h"
 
-#include "widgets/round_step.h"
+#include "widgets/metric_axes.h"
 
 #include <QtCharts>
 
@@ -20,19 +20,6 @@ constexpr double notePadding = 7;
 constexpr double noteGap = 12;
 constexpr double noteShare = 0.6;  ///< of a chart's width, at most
 constexpr int titledWidth = 260;   ///< narrower charts don't name their y axis
-
-struct Range {
-    double least = 0, most = 1;
-};
-
-Range rangeX(const metrics::LineChart& chart) {
-    std::set<double> values(chart.x.ticks.begin(), chart.x.ticks.end());
-    for (const metrics::Series& series : chart.series)
-        for (const metrics::ChartPoint& point : series.points) values.insert(point.x);
-    if (chart.x.least) values.insert(*chart.x.least);
-    if (values.empty()) return {};
-    return {*values.begin(), *values.rbegin() > *values.begin() ? *values.rbegin() : *values.begin() + 1};
-}
 
 QString valueOf(const metrics::ChartPoint& point) {
     const QString value = QString::number(point.y, 'f', 5);
@@ -80,8 +67,8 @@ public:
         for (QAbstractAxis* axis : chart()->axes()) delete axis;
         m_curves.clear();
         chart()->setTitle(QString::fromStdString(m_shown.title).toHtmlEscaped());
-        QAbstractAxis* x = makeX();
-        QAbstractAxis* y = makeY();
+        QAbstractAxis* x = horizontalAxis(m_shown);
+        QAbstractAxis* y = verticalAxis(m_shown, m_most);
         chart()->addAxis(x, Qt::AlignBottom);
         chart()->addAxis(y, Qt::AlignLeft);
         for (std::size_t i = 0; i < m_shown.series.size(); ++i) addCurve(m_shown.series[i], color(i), x, y);
@@ -176,46 +163,6 @@ private:
         std::size_t series;
     };
 
-    QAbstractAxis* makeX() const {
-        const auto [least, most] = rangeX(m_shown);
-        QAbstractAxis* axis = nullptr;
-        if (m_shown.x.logarithmic) {
-            auto* log = new QLogValueAxis;
-            log->setBase(2);
-            log->setLabelFormat("%g");
-            axis = log;
-        } else {
-            auto* value = new QValueAxis;
-            const std::vector<double>& ticks = m_shown.x.ticks;
-            value->setTickType(QValueAxis::TicksDynamic);
-            value->setTickAnchor(ticks.empty() ? 0 : ticks.front());
-            value->setTickInterval(ticks.size() > 1 ? ticks[1] - ticks[0] : roundStep(most - least, 6));
-            value->setLabelFormat("%g");
-            axis = value;
-        }
-        // Room for the dots at both ends.
-        const double room = m_shown.x.logarithmic ? std::pow(most / least, 0.03) : (most - least) * 0.03;
-        if (m_shown.x.logarithmic)
-            axis->setRange(least / room, most * room);
-        else
-            axis->setRange(least - room, most + room);
-        axis->setTitleText(QString::fromStdString(m_shown.x.label));
-        return axis;
-    }
-    QAbstractAxis* makeY() const {
-        const double least = m_shown.y.least.value_or(0);
-        double most = std::max(m_most, mostOf(m_shown));
-        if (!(most > least)) most = least + 1;
-        const double step = roundStep(most - least, 4);
-        auto* axis = new QValueAxis;
-        axis->setTickType(QValueAxis::TicksDynamic);
-        axis->setTickAnchor(least);
-        axis->setTickInterval(step);
-        axis->setRange(least, std::ceil((most - least) / step - 1e-9) * step + least);
-        axis->setLabelFormat("%g");
-        axis->setTitleText(QString::fromStdString(m_shown.y.label));
-        return axis;
-    }
     void addCurve(const metrics::Series& series, const QColor& curveColor, QAbstractAxis* x,
                   QAbstractAxis* y) {
         if (series.points.empty()) return;
@@ -372,13 +319,6 @@ const metrics::LineChart& MetricGraph::chart() const {
 
 void MetricGraph::setMost(double y) {
     m_view->setMost(y);
-}
-
-double MetricGraph::mostOf(const metrics::LineChart& chart) {
-    double most = 0;
-    for (const metrics::Series& series : chart.series)
-        for (const metrics::ChartPoint& point : series.points) most = std::max(most, point.y + point.error);
-    return most;
 }
 
 void MetricGraph::pick(std::optional<double> x) {

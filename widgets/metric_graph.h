@@ -26,8 +26,6 @@ public:
     const metrics::LineChart& chart() const;
     /// Where the y axis ends at least, so that charts beside each other can be compared.
     void setMost(double y);
-    /// The largest value of any curve, its standard error included.
-    static double mostOf(const metrics::LineChart& chart);
 
     /// Picks an x from outside, as the pointer would, without telling so.
     void pick(std::optional<double> x);

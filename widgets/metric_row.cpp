@@ -1,5 +1,6 @@
 #include "widgets/metric_row.h"
 
+#include "widgets/metric_axes.h"
 #include "widgets/metric_graph.h"
 
 #include <QtWidgets>
@@ -41,7 +42,7 @@ void MetricRow::setCharts(const std::vector<metrics::LineChart>& charts, bool sh
     while (m_graphs.size() < charts.size()) add();
     double most = 0;
     if (sharesY)
-        for (const metrics::LineChart& chart : charts) most = std::max(most, MetricGraph::mostOf(chart));
+        for (const metrics::LineChart& chart : charts) most = std::max(most, mostOf(chart));
     for (std::size_t i = 0; i < charts.size(); ++i) {
         m_graphs[i]->setMost(most);
         m_graphs[i]->setChart(charts[i], kind, unit);

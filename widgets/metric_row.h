@@ -29,7 +29,7 @@ public:
     MetricGraph* graph(int chart) const { return m_graphs[std::size_t(chart)]; }
     int count() const { return int(m_graphs.size()); }
 
-    QSize sizeHint() const override { return {480, 220}; }
+    QSize sizeHint() const override { return {480, 150}; }
     QSize minimumSizeHint() const override { return {200, 140}; }
 
 Q_SIGNALS:

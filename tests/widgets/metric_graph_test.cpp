@@ -1,6 +1,7 @@
 #include "widgets/metric_graph.h"
 
 #include "widgets/folding_row.h"
+#include "widgets/metric_axes.h"
 #include "widgets/metric_legend.h"
 #include "widgets/metric_row.h"
 #include "widgets/round_step.h"
@@ -69,6 +70,12 @@ private Q_SLOTS:
         }
         QVERIFY((met == std::set<double>{1, 2, 3, 4, 5}));
         QCOMPARE(shown.picked.count(), 5);
+    }
+
+    void hoveringNeedsNoButton() {
+        Shown shown;
+        QTest::mouseMove(shown.canvas(), QPoint(shown.graph.width() / 2, 60));
+        QTRY_VERIFY_WITH_TIMEOUT(shown.graph.picked(), 3000);
     }
 
     void theNoteTellsEveryCurvesValue() {
@@ -151,7 +158,7 @@ private Q_SLOTS:
         QCOMPARE(row.shownCharts().size(), 1U);
         row.setCharts({twoCurves(), tall}, false);
         QVERIFY2(row.graph(0)->isHidden(), "new figures don't bring back what was put away");
-        QCOMPARE(MetricGraph::mostOf(tall), 4.0);
+        QCOMPARE(widgets::mostOf(tall), 4.0);
     }
 
     void aRowFoldsWhereItIsTooNarrow() {

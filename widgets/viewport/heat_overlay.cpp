@@ -64,6 +64,7 @@ HeatOverlay::HeatOverlay(QWidget* parent) : QWidget(parent) {
 }
 
 void HeatOverlay::setMap(std::shared_ptr<const HeatMap> map) {
+    if (map == m_map) return;
     m_map = std::move(map);
     setAccessibleDescription(m_map ? tr("%1, 0 to %2").arg(m_map->title).arg(double(m_map->most))
                                    : QString());
@@ -71,6 +72,9 @@ void HeatOverlay::setMap(std::shared_ptr<const HeatMap> map) {
 }
 
 void HeatOverlay::setProgress(const QString& text, std::optional<double> progress) {
+    // Repainting what lies over OpenGL composes the whole window: not for a step that nobody sees.
+    const bool isStep = m_text == text && m_progress && progress;
+    if (isStep && std::abs(*progress - *m_progress) < 0.01) return;
     m_text = text;
     m_progress = progress;
     update();

@@ -69,6 +69,7 @@ void Viewport::Impl::showByOpenGl() {
 void Viewport::Impl::showByCpu() {
     cpuView = new CpuView(state, &widget);
     widget.layout()->addWidget(cpuView);
+    cpuView->lower();  // below what lies over the picture already
     connect(cpuView, &CpuView::frameDrawn, &widget, &Viewport::frameDrawn);
     note = new QLabel(&widget);
     note->setStyleSheet("background: rgba(0, 0, 0, 150); color: white; padding: 4px 8px;");
@@ -302,8 +303,10 @@ ViewSnapshot Viewport::snapshot() const {
 void Viewport::addOverlay(QWidget* overlay) {
     overlay->setParent(this);
     overlay->setGeometry(rect());
+    overlay->lower();
+    if (m_impl->glView) m_impl->glView->lower();
+    if (m_impl->cpuView) m_impl->cpuView->lower();
     m_impl->overlays.push_back(overlay);
-    m_impl->sphere->raise();
 }
 
 bool Viewport::event(QEvent* event) {

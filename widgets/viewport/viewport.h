@@ -71,7 +71,8 @@ public:
     std::vector<methods::TexturePlacement> placements() const;
     /// All that the picture is made from, for another thread.
     ViewSnapshot snapshot() const;
-    /// Puts a widget over the picture, as large as it, below the light sphere; it belongs to the viewport.
+    /// Puts a widget over the picture, as large as it, below all else that lies there; it belongs to the
+    /// viewport.
     void addOverlay(QWidget* overlay);
 
 Q_SIGNALS:
