@@ -10,7 +10,7 @@
 #include "app/docks/timeline_dock.h"
 #include "app/docks/view_planning_dock.h"
 #include "app/empty_hint.h"
-#include "app/export_dialog.h"
+#include "app/exporter.h"
 #include "app/job_status.h"
 #include "app/method_switch.h"
 #include "app/metric_tools.h"
@@ -213,7 +213,10 @@ void MainWindow::makeFileMenu() {
     file->addSeparator();
     addAction(*file, "save", tr("&Save"), QKeySequence::Save, [this] { save(); });
     addAction(*file, nullptr, tr("Save &As…"), QKeySequence::SaveAs, [this] { saveAs(); });
-    addAction(*file, "export", tr("&Export Picture…"), QKeySequence("Ctrl+E"), [this] { exportPicture(); });
+    addAction(*file, "export", tr("&Export Picture…"), QKeySequence("Ctrl+E"),
+              [this] { m_exporter->exportPicture(folder()); });
+    addAction(*file, nullptr, tr("Export M&esh…"), QKeySequence("Ctrl+Shift+E"),
+              [this] { m_exporter->exportMesh(folder()); });
     file->addSeparator();
     addAction(*file, nullptr, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 }
@@ -304,6 +307,9 @@ void MainWindow::makeHelpMenu() {
 }
 
 void MainWindow::connectParts() {
+    m_exporter =
+        new Exporter(m_document, m_jobs, m_paints, m_meshes, m_objectTextures, m_playback, *m_viewport, this);
+    connect(m_exporter, &Exporter::exported, this, &MainWindow::showNote);
     connect(&m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
     connect(&m_document, &Document::pathChanged, this, &MainWindow::showTitle);
     connect(&m_jobs, &JobRunner::failed, this, &MainWindow::showError);
@@ -394,43 +400,6 @@ bool MainWindow::mayDiscard() {
         this, tr("Unsaved Changes"), tr("%1 has changes that are not saved.").arg(m_document.name()),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
-}
-
-void MainWindow::exportPicture() {
-    const double ratio = m_viewport->devicePixelRatioF();
-    PictureSource source{m_document.project(),
-                         m_meshes.scene(),
-                         m_viewport->camera(),
-                         {},
-                         m_viewport->placements(),
-                         int(m_viewport->width() * ratio),
-                         int(m_viewport->height() * ratio)};
-    PictureSettings suggestion;
-    suggestion.width = source.viewportWidth;
-    suggestion.height = source.viewportHeight;
-    suggestion.background = viewportBackground;
-    suggestion.path = (folder() + "/" + m_document.name() + ".png").toStdString();
-    ExportDialog dialog(suggestion, this);
-    if (dialog.exec() != QDialog::Accepted) return;
-    for (int sample = 0; sample < int(source.project.samples.size()); ++sample) {
-        const Paints::State& state = m_paints.state(sample);
-        source.paints.push_back({state.levelsAreFinal ? state.levels : nullptr, m_paints.gradient(sample)});
-    }
-    for (int object = 0; object < int(source.scene.objects.size()); ++object)
-        source.objectTextures.push_back(
-            m_objectTextures.isFinal(object) ? m_objectTextures.textures()[std::size_t(object)] : nullptr);
-    source.scene.lights = m_playback.view().lights;
-    const PictureSettings settings = dialog.settings();
-    const QString name = QString::fromStdString(settings.path.filename().string());
-    m_jobs.start(
-        {tr("Exporting %1").arg(name), {}, {}, {}},
-        [source, settings](const Task& task) {
-            app::exportPicture(source, settings, task);
-            return true;
-        },
-        [this, path = settings.path](bool) {
-            showNote(tr("The picture is at %1").arg(QString::fromStdString(path.string())));
-        });
 }
 
 void MainWindow::showError(const QString& message) {

@@ -22,6 +22,7 @@ class Viewport;
 
 namespace chiaro::app {
 
+class Exporter;
 class GradientDock;
 class HistoryDock;
 class JobsDock;
@@ -74,7 +75,6 @@ public Q_SLOTS:
     /// False when the artist changed their mind or the disk refused.
     bool save();
     bool saveAs();
-    void exportPicture();
     void showError(const QString& message);
     void showNote(const QString& message);
 
@@ -142,6 +142,7 @@ private:
     JobsDock* m_jobsDock = nullptr;
     HistoryDock* m_historyDock = nullptr;
     ViewOverlays* m_viewOverlays = nullptr;
+    Exporter* m_exporter = nullptr;
     RecentFiles* m_recent = nullptr;
     Safekeeping* m_safekeeping = nullptr;
     QLabel* m_frameTime = nullptr;

@@ -275,8 +275,10 @@ glm::vec3 ViewTexture::at(std::size_t level, glm::vec2 position) const {
     const glm::ivec2 base(place);
     const glm::vec2 t = place - glm::vec2(base);
     const glm::ivec2 next = glm::min(base + 1, glm::ivec2(last));
-    return glm::mix(glm::mix(unpacked(texels(base.x, base.y)), unpacked(texels(next.x, base.y)), t.x),
-                    glm::mix(unpacked(texels(base.x, next.y)), unpacked(texels(next.x, next.y)), t.x), t.y);
+    const auto row = [&](int y) {
+        return glm::mix(glm::vec3(texels(base.x, y)), glm::vec3(texels(next.x, y)), t.x);
+    };
+    return glm::mix(row(base.y), row(next.y), t.y) * (1 / 32767.0f);  // unpacks once what it reads four times
 }
 
 ViewTextures synthesizeViews(const PlannedObject& object, const std::vector<synthesis::LevelSource>& sources,

@@ -279,6 +279,10 @@ void Viewport::setBackground(glm::vec3 color) {
     m_impl->refresh();
 }
 
+glm::vec3 Viewport::background() const {
+    return m_impl->state.background;
+}
+
 void Viewport::frameAll() {
     m_impl->frame(m_impl->state.scene());
 }

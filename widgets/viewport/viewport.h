@@ -59,6 +59,7 @@ public:
     void setNavigation(Navigation navigation);
     /// Display-referred RGB in [0, 1].
     void setBackground(glm::vec3 color);
+    glm::vec3 background() const;
     /// Fits all visible objects (Home); cameraEdited follows.
     void frameAll();
 
