@@ -134,7 +134,8 @@ void addCompareCommand(CLI::App& root, Session& session) {
     command
         ->add_option("--settings", state->settings,
                      "How methods animate: report (image-based frames stay close to the frame before, the 3D "
-                     "texture keeps its scale) or project (as the project says; default report)")
+                     "texture keeps its scale, whatever --follow-zoom says) or project (as the project and "
+                     "the flags say; default report)")
         ->check(CLI::IsMember({"report", "project"}));
     command->add_option("--seeds", state->params.seeds, "Syntheses to average over (1..100; default 5)")
         ->check(CLI::Range(1, 100));
