@@ -71,10 +71,17 @@ struct AnimateCommand {
         const int resumed = makesVideo() ? makeVideo(shot, range, task.part(0.3, 1))
                                          : makeFrames(shot, range, task.part(0.3, 1));
         const double seconds = stopwatch.lap();
-        session.finish(
-            {{"frames", range.count()}, {"seconds", seconds}, {"resumed", resumed}},
-            fmt::format("{}: {} frames{}, {:.2f} s", output.string(), range.count(),
-                        resumed > 0 ? fmt::format(", {} of them finished before", resumed) : "", seconds));
+        session.finish({{"frames", range.count()}, {"seconds", seconds}, {"resumed", resumed}},
+                       fmt::format("{}: {} frames{}{}, {:.2f} s", output.string(), range.count(),
+                                   resumed > 0 ? fmt::format(", {} of them finished before", resumed) : "",
+                                   padding(size), seconds));
+    }
+
+    /// Videos take even sides only.
+    std::string padding(glm::ivec2 size) const {
+        const glm::ivec2 even = (size + 1) / 2 * 2;
+        if (!makesVideo() || even == size) return {};
+        return fmt::format(", padded to {} x {} px, since videos have even sides", even.x, even.y);
     }
 
     void checkFlags() const {
