@@ -230,7 +230,7 @@ QWidget* SceneDock::makeOcclusion() {
     auto* layout = new QVBoxLayout(section);
     layout->setContentsMargins(0, 4, 0, 0);
     layout->setSpacing(6);
-    auto* heading = new QLabel(tr("Shadows"));
+    auto* heading = new QLabel(tr("Shadows and Occlusion"));
     heading->setProperty("heading", true);
     heading->setIndent(0);
     heading->setToolTip(
@@ -369,7 +369,7 @@ void SceneDock::editLightForm() {
 void SceneDock::addLight() {
     std::vector<scene::Light> lights = m_document.project().lights;
     scene::Light light;
-    if (!lights.empty()) light = {.vector = {0.8f, 0.3f, 0.3f}, .intensity = 0.4f, .wrap = false};
+    if (!lights.empty()) light = {.vector = {0.8f, 0.3f, 0.3f}, .intensity = 0.25f, .wrap = false};
     lights.push_back(light);
     m_document.finishEdit();
     m_document.editLights(lights, tr("Add Light"));
