@@ -119,7 +119,10 @@ struct AnimateCommand {
         json.update(paintParameters(shot.project));
         json.update(parametersToJson(shot.project.coherence));
         json.update(sceneParameters(shot.project));
-        json["path"] = std::filesystem::path(path).filename().string();
+        const bool isOfProject = path.empty() && shot.project.animation.path.moves();
+        json["path"] = isOfProject    ? "project"
+                       : path.empty() ? "turntable"
+                                      : std::filesystem::path(path).filename().string();
         json["period"] = period;
         json["frame"] = frame;
         json["content"] = fmt::format("{:016x}", content);
