@@ -221,11 +221,10 @@ void MainWindow::makeViewMenu() {
     view->addActions({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
     view->addSeparator();
     for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
-    addAction(*view, nullptr, tr("&Reset Layout"), {},
-              [this] {
-                  restoreState(m_standardState, layoutVersion);
-                  arrangeDocks();
-              });
+    addAction(*view, nullptr, tr("&Reset Layout"), {}, [this] {
+        restoreState(m_standardState, layoutVersion);
+        arrangeDocks();
+    });
 }
 
 void MainWindow::makeSampleMenu() {
@@ -444,7 +443,8 @@ void MainWindow::showEvent(QShowEvent* event) {
 
 bool MainWindow::keepWorkSafe() {
     m_safekeeping = new Safekeeping(m_document, m_opener, Autosave::standardFolder(), *this);
-    statusBar()->insertPermanentWidget(1, m_safekeeping->label());  // behind the jobs, before the frame's time
+    statusBar()->insertPermanentWidget(1,
+                                       m_safekeeping->label());  // behind the jobs, before the frame's time
     return m_safekeeping->offerRecovery();
 }
 
