@@ -430,7 +430,8 @@ void MainWindow::showEvent(QShowEvent* event) {
 
 bool MainWindow::keepWorkSafe() {
     m_safekeeping = new Safekeeping(m_document, m_opener, Autosave::standardFolder(), *this);
-    statusBar()->insertPermanentWidget(0, m_safekeeping->label());
+    statusBar()->insertPermanentWidget(1,
+                                       m_safekeeping->label());  // behind the jobs, before the frame's time
     return m_safekeeping->offerRecovery();
 }
 

@@ -72,6 +72,23 @@ bool isDemo(const std::filesystem::path& path) {
     }
 }
 
+/// What to say of a mesh that is lost in the scene that it joins, or the other way around; empty else.
+QString sizeNote(const LoadedModel& model, const scene::Scene& scene) {
+    constexpr float striking = 15;
+    scene::BoundsBuilder added;
+    for (const auto& mesh : model.meshes) added.addMesh(*mesh, glm::mat4(1));
+    const float ratio = added.bounds().radius / scene::boundsOf(scene).radius;
+    if (!(ratio > 0) || !std::isfinite(ratio) || (ratio < striking && ratio > 1 / striking)) return {};
+    return ratio > 1 ? Opener::tr(
+                           "The added mesh is %1 times as large as the rest; its Scale in the Scene dock "
+                           "fits it in.")
+                           .arg(qRound(ratio))
+                     : Opener::tr(
+                           "The rest is %1 times as large as the added mesh; its Scale in the Scene dock "
+                           "fits it in.")
+                           .arg(qRound(1 / ratio));
+}
+
 QString fileName(const std::filesystem::path& path) {
     return QString::fromStdString(path.filename().string());
 }
@@ -189,7 +206,9 @@ void Opener::openMesh(const Entry& entry) {
         spec(path), [path](const Task& task) { return LoadedModel::read(path, task); },
         [this, path, adds = entry.purpose == Purpose::Add](LoadedModel model) {
             const std::vector<std::string> names = model.objectNames();
-            const std::vector<std::string> warnings = model.warnings;
+            std::vector<std::string> warnings = model.warnings;
+            if (const QString size = sizeNote(model, m_meshes.scene()); adds && !size.isEmpty())
+                warnings.push_back(size.toStdString());
             m_meshes.remember(path, std::move(model));
             int first = 0;
             if (adds)

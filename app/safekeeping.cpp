@@ -17,6 +17,7 @@ Safekeeping::Safekeeping(Document& document, Opener& opener, std::filesystem::pa
       m_autosave(document, std::move(folder), {}),
       m_label(new QLabel) {
     m_label->setObjectName("autosave");
+    m_label->setContentsMargins(0, 0, 14, 0);
     m_label->setToolTip(
         tr("Changes are kept every minute or 25 edits, in case Chiaro ends before they are saved"));
     connect(&m_autosave, &Autosave::kept, this, [this](const QDateTime& time) {

@@ -125,7 +125,7 @@ struct AnimateCommand {
         json.update(parametersToJson(shot.project.coherence));
         json.update(sceneParameters(shot.project));
         if (keyed(shot.project.animation))
-            json["path"] = "timeline";
+            json["path"] = "project";
         else
             json.update(path.parameters());
         json["frame"] = frame;

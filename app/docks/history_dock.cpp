@@ -14,6 +14,7 @@ HistoryDock::HistoryDock(QUndoStack& stack) : QDockWidget(tr("History")) {
     view->setEmptyLabel(tr("As it was opened"));
     view->setCleanIcon(widgets::icon("save"));
     view->setToolTip(tr("A click goes back or forth to an edit; the disk marks what is saved"));
+    view->setIconSize({16, 16});
     view->setMinimumHeight(72);
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);

@@ -5,22 +5,20 @@
 
 #include <vector>
 
-class QComboBox;
-class QGridLayout;
-class QLabel;
 class QStackedWidget;
 class QToolButton;
 class QTreeView;
 
 namespace chiaro::widgets {
 class ParameterForm;
-class VectorEdit;
-}  // namespace chiaro::widgets
+}
 
 namespace chiaro::app {
 
 class Document;
+class LightPanel;
 class Meshes;
+class ObjectPanel;
 class SceneModel;
 
 /// The objects and lights of the document: added, removed, renamed, hidden, placed, and which sample each
@@ -55,27 +53,14 @@ protected:
 
 private:
     QWidget* makeList();
-    QWidget* makeObjectPage();
-    QWidget* makeLightPage();
     QWidget* makeOcclusion();
-    widgets::VectorEdit* addVector(QGridLayout& grid, const QString& label, widgets::VectorEdit* edit);
     void applyChange(Change change);
-    void showSamples();
     void showCurrent();
-    void showObject(int object);
-    void showLight(int light);
     void keepSelection();
     bool isListKey(const class QKeyEvent& event);
 
     int currentRow() const;
     std::vector<int> selectedRows() const;
-    template <class Edit>
-    void editObject(const QString& text, Edit edit);
-    template <class Edit>
-    void editLight(const QString& text, Edit edit);
-    void dressSelected(int sample);
-    void editLightForm();
-    float sceneRadius() const;
 
     Document& m_document;
     Meshes& m_meshes;
@@ -84,13 +69,8 @@ private:
     QToolButton* m_duplicate = nullptr;
     QToolButton* m_remove = nullptr;
     QStackedWidget* m_pages = nullptr;
-    QComboBox* m_sample = nullptr;
-    widgets::VectorEdit* m_position = nullptr;
-    widgets::VectorEdit* m_rotation = nullptr;
-    widgets::VectorEdit* m_scale = nullptr;
-    QLabel* m_vectorLabel = nullptr;
-    widgets::VectorEdit* m_vector = nullptr;
-    widgets::ParameterForm* m_light = nullptr;
+    ObjectPanel* m_object = nullptr;
+    LightPanel* m_light = nullptr;
     widgets::ParameterForm* m_occlusion = nullptr;
     std::vector<int> m_selected;  ///< rows, to select again after a reset
     int m_current = 0;

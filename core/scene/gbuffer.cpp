@@ -29,7 +29,8 @@ public:
         : m_caster(caster),
           m_occlusion(occlusion),
           m_gbuffer(gbuffer),
-          m_isEdge(gbuffer.width, gbuffer.height, 0) {}
+          m_isEdge(gbuffer.width, gbuffer.height, 0),
+          m_openness(gbuffer.width, gbuffer.height, 1) {}
 
     void castCentres(const Task& task) {
         const int columns = (m_gbuffer.width + tileSize - 1) / tileSize;
@@ -103,14 +104,22 @@ private:
         return probe;
     }
 
-    /// L with all that keeps light away; -1 outside.
-    float finalLight(const Probe& probe) const {
-        if (probe.hit.object == 0) return -1;
-        return probe.light * m_occlusion.openness({probe.point, probe.normal, probe.hit.faceNormal});
+    float openness(const Probe& probe) const {
+        return m_occlusion.openness({probe.point, probe.normal, probe.hit.faceNormal});
+    }
+
+    /// Of a sample of an edge pixel: that of the pixel's centre where it lies on the same piece of surface.
+    float openness(const Probe& sample, int x, int y) const {
+        const float depth = m_gbuffer.depth(x, y);
+        const bool isSame = sample.hit.object == m_gbuffer.objectId(x, y) &&
+                            glm::dot(sample.normal, m_gbuffer.normal(x, y)) > 0.95f &&
+                            std::abs(sample.hit.depth - depth) < 4 * m_caster.pixelSize() * depth;
+        return isSame ? m_openness(x, y) : openness(sample);
     }
 
     void store(const Probe& centre, int x, int y) {
-        m_gbuffer.light(x, y) = finalLight(centre);
+        if (centre.hit.object != 0) m_openness(x, y) = openness(centre);
+        m_gbuffer.light(x, y) = centre.hit.object == 0 ? -1 : centre.light * m_openness(x, y);
         m_gbuffer.objectId(x, y) = centre.hit.object;
         m_gbuffer.faceId(x, y) = centre.hit.face;
         m_gbuffer.barycentrics(x, y) = centre.hit.barycentrics;
@@ -152,8 +161,9 @@ private:
         static constexpr std::array<int, packetSize> reversed{0, 8, 4, 12, 2, 10, 6, 14,
                                                               1, 9, 5, 13, 3, 11, 7, 15};
         const std::uint32_t pixel = m_gbuffer.edgePixels[index];
-        const glm::vec2 corner(pixel % std::uint32_t(m_gbuffer.width),
-                               pixel / std::uint32_t(m_gbuffer.width));
+        const int x = int(pixel % std::uint32_t(m_gbuffer.width));
+        const int y = int(pixel / std::uint32_t(m_gbuffer.width));
+        const glm::vec2 corner(x, y);
         std::array<glm::vec2, packetSize> positions;
         std::array<Hit, packetSize> hits;
         for (int i = 0; i < packetSize; ++i)
@@ -162,8 +172,8 @@ private:
         m_caster.cast(positions, hits);
         for (std::size_t i = 0; i < packetSize; ++i) {
             const Probe sample = lit(hits[i], positions[i]);
-            m_gbuffer.edgeSamples[index * packetSize + i] = {sample.hit.object,
-                                                             std::max(finalLight(sample), 0.0f)};
+            const float light = sample.hit.object == 0 ? 0 : sample.light * openness(sample, x, y);
+            m_gbuffer.edgeSamples[index * packetSize + i] = {sample.hit.object, light};
         }
     }
 
@@ -173,6 +183,7 @@ private:
     const OcclusionCaster& m_occlusion;
     GBuffer& m_gbuffer;
     Image<std::uint8_t> m_isEdge;
+    ScalarImage m_openness;  ///< what ambient occlusion leaves of L at the centres
 };
 
 }  // namespace

@@ -32,7 +32,7 @@ private:
     glm::vec3 origin(const Point& point) const;
     bool isInShadow(const Point& point, const Light& light) const;
 
-    static constexpr int ambientRays = 64;
+    static constexpr int ambientRays = 32;
     const RayScene::Impl& m_rays;
     const OcclusionParams& m_params;
     const std::vector<Light>& m_lights;

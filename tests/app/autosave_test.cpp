@@ -43,6 +43,15 @@ int editForever(const std::filesystem::path& folder) {
     return QCoreApplication::exec();
 }
 
+/// A studio that has the project open until it is killed.
+int holdForever(const std::filesystem::path& project) {
+    app::ProjectLock lock;
+    lock.take(project);
+    std::printf("held\n");
+    std::fflush(stdout);
+    return QCoreApplication::exec();
+}
+
 std::size_t filesIn(const std::filesystem::path& folder) {
     return std::size_t(std::distance(std::filesystem::directory_iterator(folder), {}));
 }
@@ -182,6 +191,15 @@ private Q_SLOTS:
         lock.take(project);
         QVERIFY(!app::ProjectLock::holder(project));  // by this very studio
         lock.take({});
+        QProcess other;
+        other.start(QCoreApplication::applicationFilePath(),
+                    {"--hold", QString::fromStdString(project.string())});
+        QVERIFY(other.waitForReadyRead(20'000));
+        const auto holder = app::ProjectLock::holder(project);
+        QVERIFY(holder && holder->contains(QString::number(other.processId())));
+        other.kill();
+        QVERIFY(other.waitForFinished());
+        QVERIFY(!app::ProjectLock::holder(project));  // the dead hold nothing
         QVERIFY(!std::filesystem::exists(m_root / ".open.chiaro.lock"));
         QVERIFY(!app::ProjectLock::holder("/proc/nowhere/a.chiaro"));
     }
@@ -223,6 +241,7 @@ private Q_SLOTS:
 int main(int argc, char** argv) {
     QCoreApplication application(argc, argv);
     if (argc == 3 && std::string_view(argv[1]) == "--edit") return editForever(argv[2]);
+    if (argc == 3 && std::string_view(argv[1]) == "--hold") return holdForever(argv[2]);
     AutosaveTest test;
     return QTest::qExec(&test, argc, argv);
 }

@@ -82,7 +82,10 @@ void Viewport::Impl::chooseView() {
     if (byCpu && !cpuView) showByCpu();
     if (glView) glView->setVisible(!byCpu);
     if (!cpuView) return;
-    cpuView->setVisible(byCpu);
+    if (cpuView->isHidden() == byCpu) {
+        cpuView->setVisible(byCpu);
+        widget.layout()->activate();  // who asks for the picture now gets one of the whole size
+    }
     note->setVisible(byCpu);
     note->setText(glView ? tr("Shadows: these are the CPU renderer's pictures.")
                          : tr("No OpenGL here: these are the CPU renderer's pictures."));
