@@ -127,8 +127,8 @@ public:
         return lines.join('\n');
     }
 
-    metrics::LineChart m_shown;
-    std::optional<double> m_picked;
+    const metrics::LineChart& shown() const { return m_shown; }
+    const std::optional<double>& picked() const { return m_picked; }
 
 protected:
     void mouseMoveEvent(QMouseEvent* event) override {
@@ -291,6 +291,8 @@ private:
     }
 
     MetricGraph& m_owner;
+    metrics::LineChart m_shown;
+    std::optional<double> m_picked;
     QString m_kind;
     QString m_unit;
     double m_most = 0;
@@ -314,7 +316,7 @@ void MetricGraph::setChart(const metrics::LineChart& chart, const QString& kind,
 }
 
 const metrics::LineChart& MetricGraph::chart() const {
-    return m_view->m_shown;
+    return m_view->shown();
 }
 
 void MetricGraph::setMost(double y) {
@@ -326,7 +328,7 @@ void MetricGraph::pick(std::optional<double> x) {
 }
 
 std::optional<double> MetricGraph::picked() const {
-    return m_view->m_picked;
+    return m_view->picked();
 }
 
 QString MetricGraph::note() const {

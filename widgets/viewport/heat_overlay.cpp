@@ -128,7 +128,8 @@ void HeatOverlay::drawPanel(QPainter& painter) const {
     if (m_map) painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, m_map->title);
     if (m_progress) {
         painter.setPen(dim);
-        painter.drawText(head, (m_map ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, m_text);
+        const Qt::AlignmentFlag side = m_map ? Qt::AlignRight : Qt::AlignLeft;
+        painter.drawText(head, side | Qt::AlignVCenter, m_text);
         const QRectF track(inner.left(), head.bottom() + 3, inner.width(), 2);
         painter.fillRect(track, edge);
         QRectF done = track;
