@@ -130,6 +130,11 @@ void MainWindow::makeMetrics() {
     dock.hide();
     connect(m_sampleDock, &SampleDock::currentSampleChanged, m_metrics.get(), &MetricTools::setSample);
     m_metrics->setSample(m_sampleDock->currentSample());
+    connect(&dock, &MetricGraphDock::frameWanted, this, [this](int frame) {
+        const Comparison& comparison = *m_metrics->comparison().result();
+        if (comparison.settings.movement == ComparisonSettings::Movement::Timeline)
+            m_playback.setCurrentFrame(frame);
+    });
     connect(&dock, &MetricGraphDock::exported, this,
             [this](const QString& path) { showNote(tr("The figures are at %1").arg(path)); });
 }

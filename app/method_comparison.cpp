@@ -13,11 +13,19 @@ const ParameterTable<ComparisonSettings>& ComparisonSettings::table() {
     using Settings = ComparisonSettings;
     static const auto table =
         ParameterTable<Settings>()
-            .add(&Settings::frames,
-                 ParameterSpec::integer("frames", "Frames", "", 2, 240,
-                                        "How many frames of the turntable are painted and measured."))
+            .add(&Settings::movement,
+                 ParameterSpec::choice("movement", "Movement", {"approach", "turntable", "timeline"},
+                                       "What moves: the camera comes nearer, it goes around, or what the "
+                                       "timeline's keys say."))
+            .add(&Settings::asReported,
+                 ParameterSpec::boolean("as-reported", "As reported",
+                                        "Let methods animate as in the report: each image-based frame close "
+                                        "to the one before, a 3D texture that keeps its scale. Off: as this "
+                                        "project says."))
+            .add(&Settings::frames, ParameterSpec::integer("frames", "Frames", "", 2, 240,
+                                                           "How many frames are painted and measured."))
             .add(&Settings::period, ParameterSpec::integer("period", "Turn", "frames", 2, 1000,
-                                                           "In how many frames the turntable goes around."))
+                                                           "In how many frames a turntable goes around."))
             .add(&Settings::size,
                  ParameterSpec::integer("size", "Size", "px", 64, 2048, "Width and height of the frames."))
             .add(&Settings::seeds,
@@ -29,6 +37,23 @@ const ParameterTable<ComparisonSettings>& ComparisonSettings::table() {
                                         "How many pixels are drawn by chance and measured in each frame."));
     return table;
 }
+
+namespace {
+
+scene::Path pathOf(const ComparisonSettings& settings, const project::Project& project) {
+    using Movement = ComparisonSettings::Movement;
+    switch (settings.movement) {
+        case Movement::Approach:
+            return scene::Path::approaching();
+        case Movement::Turntable:
+            return scene::Path::turntable(settings.period);
+        case Movement::Timeline:
+            return project.animation.path;
+    }
+    return {};
+}
+
+}  // namespace
 
 MethodComparison::MethodComparison(Document& document, JobRunner& jobs, Meshes& meshes, QObject* parent)
     : QObject(parent), m_document(document), m_jobs(jobs), m_meshes(meshes) {
@@ -56,6 +81,8 @@ double MethodComparison::progress() const {
 
 void MethodComparison::applyChange(Change change) {
     if (change.kind == Change::Kind::Method) return;
+    if (change.kind == Change::Kind::Animation && m_movement != ComparisonSettings::Movement::Timeline)
+        return;
     m_isOutdated = m_result != nullptr;
     if (change.kind == Change::Kind::Everything) {
         m_result = nullptr;
@@ -74,7 +101,8 @@ void MethodComparison::start(const ComparisonSettings& settings) {
     if (!canStart()) return;
     Comparison comparison;
     comparison.settings = settings;
-    comparison.path = scene::Path::turntable(settings.period);
+    comparison.path = pathOf(settings, m_document.project());
+    m_movement = settings.movement;
     const scene::Scene scene = m_meshes.scene();
     comparison.start = {project::cameraFor(m_document.project(), scene), scene.lights};
     project::ComparisonParams params;
@@ -94,7 +122,10 @@ void MethodComparison::start(const ComparisonSettings& settings) {
              m_job = 0;
              Q_EMIT changed();
          }},
-        [comparison, params, scene, project = m_document.project(), cache = m_cache](const Task& task) {
+        [comparison, params, scene,
+         project =
+             settings.asReported ? project::animatedAsReported(m_document.project()) : m_document.project(),
+         cache = m_cache](const Task& task) {
             auto found = std::make_shared<Comparison>(comparison);
             found->table = project::compareMethods(project, scene, found->path, params, task, cache.get());
             for (project::MethodMeasure& method : found->table) method.frames = {};

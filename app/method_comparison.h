@@ -17,11 +17,15 @@ class Meshes;
 
 /// What the methods are compared on.
 struct ComparisonSettings {
-    int frames = 8;    ///< of the turntable, measured from its first on
-    int period = 48;   ///< frames in which it goes around
-    int size = 320;    ///< of every frame, px a side
-    int seeds = 1;     ///< syntheses to average over
-    int pixels = 100;  ///< measured in each frame
+    /// What moves: the camera comes nearer, as `chiaro compare` has it; it goes around; or the timeline.
+    enum class Movement { Approach, Turntable, Timeline };
+    Movement movement = Movement::Approach;
+    int frames = 8;          ///< measured from the first on
+    int period = 48;         ///< frames in which a turntable goes around
+    int size = 512;          ///< of every frame, px a side
+    int seeds = 1;           ///< syntheses to average over
+    int pixels = 1000;       ///< measured in each frame
+    bool asReported = true;  ///< methods animate as in the report, not as the project says
     static const ParameterTable<ComparisonSettings>& table();
     friend bool operator==(const ComparisonSettings&, const ComparisonSettings&) = default;
 };
@@ -34,7 +38,7 @@ struct Comparison {
     std::vector<project::MethodMeasure> table;  ///< without the pictures
 };
 
-/// Paints and measures a turntable of the document by every method (§5), when it is asked to, in the
+/// Paints and measures an animation of the document by every method (§5), when it is asked to, in the
 /// background. An edit meanwhile ends it, for the result would be of another project; a result that is there
 /// stays, marked as outdated. Which method is shown, and the camera, make no difference to it.
 class MethodComparison : public QObject {
@@ -78,6 +82,7 @@ private:
     std::shared_ptr<const Comparison> m_result;
     bool m_isOutdated = false;
     QString m_problem;
+    ComparisonSettings::Movement m_movement{};  ///< of the last one
     int m_job = 0;
 };
 

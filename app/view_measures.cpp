@@ -154,8 +154,8 @@ std::shared_ptr<const ViewMeasures::Prepared> ViewMeasures::prepare(const Inputs
     prepared->rays =
         inputs.rays ? inputs.rays : std::make_shared<const scene::RayScene>(view.scene, task.part(0, 0.1));
     scene::GBuffer gbuffer =
-        scene::castGBuffer(*prepared->rays, view.scene.lights, view.camera, view.pixels.width(),
-                           view.pixels.height(), task.part(0.1, 0.3));
+        scene::castGBuffer(prepared->rays->with(view.scene.occlusion), view.scene.lights, view.camera,
+                           view.pixels.width(), view.pixels.height(), task.part(0.1, 0.3));
     // Only what lies wholly on an object is measured, so what is behind doesn't matter.
     prepared->view.picture =
         methods::over(widgets::shaded(view, gbuffer, 1, task.part(0.3, 0.5)).picture, view.background);

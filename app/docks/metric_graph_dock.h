@@ -27,7 +27,7 @@ class StudyPane;
 class ViewMeasures;
 
 /// Which method is better, in figures (§5): what the viewport shows, measured as it is; every method's errors
-/// over the frames of a turntable; the report's table; and how the metric itself answers to distortions.
+/// over the frames of an animation; the report's table; and how the metric itself answers to distortions.
 class MetricGraphDock : public Dock {
     Q_OBJECT
 

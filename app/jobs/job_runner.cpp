@@ -76,6 +76,7 @@ void JobRunner::finish(int number, const std::function<void()>& done, const QStr
 }
 
 void JobRunner::tellEnd(int number, const Job& job, Ending::Kind kind, const QString& reason) {
+    if (job.spec.isQuiet) return;
     Q_EMIT jobEnded({number, job.spec.title, kind, reason, job.seconds()});
 }
 
@@ -126,7 +127,7 @@ void JobRunner::cancel(int number) {
 }
 
 void JobRunner::cancelAll() {
-    for (const JobInfo& job : jobs()) cancel(job.number);
+    while (!m_jobs.empty()) cancel(m_jobs.begin()->first);
 }
 
 }  // namespace chiaro::app
