@@ -1,6 +1,7 @@
 #include "app/document.h"
 
 #include "app/commands/change_value.h"
+#include "core/project/backups.h"
 
 #include <QtWidgets>
 
@@ -18,9 +19,9 @@ QString Document::name() const {
 }
 
 void Document::replace(project::Project project, const std::filesystem::path& path,
-                       const std::vector<std::string>& objectNames) {
+                       const project::ObjectNames& names) {
     m_project = std::move(project);
-    m_objectNames = objectNames;
+    m_project.objects = project::allObjects(m_project, names);
     m_path = path;
     m_editing = false;
     m_undo.clear();
@@ -29,7 +30,15 @@ void Document::replace(project::Project project, const std::filesystem::path& pa
     Q_EMIT changed({Change::Kind::Everything});
 }
 
+void Document::recover(project::Project project, const std::filesystem::path& path,
+                       const project::ObjectNames& names) {
+    replace(std::move(project), path, names);
+    m_undo.resetClean();
+}
+
 void Document::save(const std::filesystem::path& path) {
+    project::removeLeftovers(path);
+    project::keepBackup(path);
     project::writeProject(path, m_project);
     m_path = path;
     m_undo.setClean();
@@ -102,12 +111,27 @@ void Document::editViewDependent(const methods::ViewDependentParams& params) {
         [](auto& project) -> auto& { return project.viewDependent; }, params);
 }
 
+void Document::editOcclusion(const scene::OcclusionParams& params) {
+    edit(
+        {Change::Kind::Occlusion}, tr("Change Shadows"),
+        [](auto& project) -> auto& { return project.occlusion; }, params);
+}
+
 void Document::editLight(int light, glm::vec3 vector) {
     std::vector<scene::Light> lights = m_project.lights;
-    lights[std::size_t(light)].vector = vector;
+    scene::Light& one = lights[std::size_t(light)];
+    one.vector = vector;
+    editLights(lights, one.kind == scene::Light::Kind::Point ? tr("Move Light") : tr("Turn Light"));
+}
+
+void Document::editLights(const std::vector<scene::Light>& lights, const QString& text) {
     edit(
-        {Change::Kind::Lights}, tr("Turn Light"), [](auto& project) -> auto& { return project.lights; },
-        lights);
+        {Change::Kind::Lights}, text, [](auto& project) -> auto& { return project.lights; }, lights);
+}
+
+void Document::editAnimation(const project::Animation& animation, const QString& text) {
+    edit(
+        {Change::Kind::Animation}, text, [](auto& project) -> auto& { return project.animation; }, animation);
 }
 
 void Document::editViews(const views::ViewParams& params) {
@@ -118,21 +142,14 @@ void Document::editViews(const views::ViewParams& params) {
 
 const std::vector<project::PlacedView>& Document::placedViews(int object) const {
     static const std::vector<project::PlacedView> none;
-    if (object < 0 || object >= int(m_objectNames.size())) return none;
-    const auto found = std::ranges::find(m_project.objects, m_objectNames[std::size_t(object)],
-                                         &project::ObjectSettings::name);
-    return found == m_project.objects.end() ? none : found->views;
+    if (object < 0 || object >= int(m_project.objects.size())) return none;
+    return m_project.objects[std::size_t(object)].views;
 }
 
 void Document::editPlacedViews(int object, const QString& text, std::vector<project::PlacedView> views) {
-    const std::string& name = m_objectNames[std::size_t(object)];
-    std::vector<project::ObjectSettings> objects = m_project.objects;
-    auto found = std::ranges::find(objects, name, &project::ObjectSettings::name);
-    if (found == objects.end()) found = objects.insert(found, {.name = name});
-    found->views = std::move(views);
     edit(
-        {Change::Kind::PlacedViews, object}, text, [](auto& project) -> auto& { return project.objects; },
-        objects);
+        {Change::Kind::PlacedViews, object},
+        text, [object](auto& project) -> auto& { return project.objects[std::size_t(object)].views; }, views);
 }
 
 int Document::addView(int object, const project::PlacedView& view) {
@@ -162,7 +179,7 @@ void Document::removeView(int object, int view) {
 }
 
 Document::Contents Document::contents() const {
-    return {m_project.samples, m_project.mesh, m_project.objects, m_objectNames};
+    return {m_project.samples, m_project.meshes, m_project.objects};
 }
 
 void Document::editContents(Change::Kind kind, const QString& text, const Contents& contents) {
@@ -171,38 +188,79 @@ void Document::editContents(Change::Kind kind, const QString& text, const Conten
     const Command::Access access{[this](const project::Project&) { return this->contents(); },
                                  [this](project::Project& project, const Contents& changed) {
                                      project.samples = changed.samples;
-                                     project.mesh = changed.mesh;
+                                     project.meshes = changed.meshes;
                                      project.objects = changed.objects;
-                                     m_objectNames = changed.objectNames;
                                  }};
     auto command = std::make_unique<Command>(*this, Change{kind}, text, m_session, access, contents);
     if (!command->changesNothing()) m_undo.push(command.release());
     finishEdit();
 }
 
-std::vector<project::ObjectSettings> Document::allObjects() const {
-    std::vector<project::ObjectSettings> objects = m_project.objects;
-    for (const std::string& name : m_objectNames) {
-        const auto named = [&](const project::ObjectSettings& object) { return object.name == name; };
-        if (std::none_of(objects.begin(), objects.end(), named)) objects.push_back({.name = name});
-    }
-    return objects;
+bool Document::isWorn(int sample) const {
+    return std::ranges::any_of(m_project.objects, [&](const project::ObjectSettings& object) {
+        return object.visible && object.sample == sample;
+    });
 }
 
-bool Document::isWorn(int sample) const {
-    const std::vector<project::ObjectSettings> objects = allObjects();
-    return std::any_of(m_objectNames.begin(), m_objectNames.end(), [&](const std::string& name) {
-        const auto named = [&](const project::ObjectSettings& object) { return object.name == name; };
-        const auto object = std::find_if(objects.begin(), objects.end(), named);
-        return object->visible && object->sample == sample;
-    });
+void Document::editObjects(std::vector<project::ObjectSettings> objects, const QString& text) {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        project::ObjectSettings& object = objects[i];
+        const std::string& before = m_project.objects[i].name;
+        if (object.name == before) continue;
+        if (object.source.empty()) object.source = before;
+        std::vector<project::ObjectSettings> others = objects;
+        others.erase(others.begin() + std::ptrdiff_t(i));
+        object.name = project::uniqueName(object.name, others);
+        if (object.source == object.name) object.source.clear();
+    }
+    edit(
+        {Change::Kind::Objects}, text, [](auto& project) -> auto& { return project.objects; }, objects);
+}
+
+void Document::removeObjects(const std::vector<int>& objects) {
+    Contents next = contents();
+    std::vector<int> last(objects);
+    std::ranges::sort(last, std::greater());
+    for (const int object : last) {
+        const project::ObjectSettings removed = next.objects[std::size_t(object)];
+        next.objects.erase(next.objects.begin() + object);
+        const auto isOfSame = [&](const project::ObjectSettings& other) {
+            return other.mesh == removed.mesh && other.sourceName() == removed.sourceName();
+        };
+        if (std::ranges::none_of(next.objects, isOfSame))
+            next.meshes[std::size_t(removed.mesh)].without.push_back(removed.sourceName());
+    }
+    for (int file = int(next.meshes.size()) - 1; file >= 0; --file) {
+        if (std::ranges::find(next.objects, file, &project::ObjectSettings::mesh) != next.objects.end())
+            continue;
+        next.meshes.erase(next.meshes.begin() + file);
+        for (project::ObjectSettings& object : next.objects) object.mesh -= object.mesh > file ? 1 : 0;
+    }
+    editContents(next.meshes == m_project.meshes ? Change::Kind::Objects : Change::Kind::Mesh,
+                 objects.size() == 1 ? tr("Remove Object") : tr("Remove Objects"), next);
+}
+
+std::vector<int> Document::duplicateObjects(const std::vector<int>& objects) {
+    Contents next = contents();
+    std::vector<int> copies;
+    std::vector<int> first(objects);
+    std::ranges::sort(first);
+    for (const int object : first) {
+        const int copy = object + int(copies.size()) + 1;
+        project::ObjectSettings settings = m_project.objects[std::size_t(object)];
+        settings.source = settings.sourceName();
+        settings.name = project::uniqueName(settings.name, next.objects);
+        next.objects.insert(next.objects.begin() + copy, std::move(settings));
+        copies.push_back(copy);
+    }
+    editContents(Change::Kind::Objects, tr("Duplicate"), next);
+    return copies;
 }
 
 int Document::addSample(const project::Sample& sample, int instead) {
     Contents next = contents();
     const int index = int(next.samples.size());
     next.samples.push_back(sample);
-    if (index > 0) next.objects = allObjects();
     for (project::ObjectSettings& object : next.objects)
         if (object.sample == instead || index == 0) object.sample = index;
     editContents(Change::Kind::Samples, tr("Add Sample"), next);
@@ -219,7 +277,6 @@ void Document::removeSample(int sample) {
 
 void Document::wearEverywhere(int sample) {
     Contents next = contents();
-    next.objects = allObjects();
     for (project::ObjectSettings& object : next.objects) object.sample = sample;
     editContents(Change::Kind::Samples, tr("Paint Everything"), next);
 }
@@ -227,11 +284,24 @@ void Document::wearEverywhere(int sample) {
 void Document::setMesh(const std::filesystem::path& path, const std::vector<std::string>& objectNames,
                        int sample) {
     Contents next = contents();
-    next.mesh = path;
-    next.objectNames = objectNames;
+    next.meshes = {{path}};
     next.objects.clear();
     for (const std::string& name : objectNames) next.objects.push_back({.name = name, .sample = sample});
     editContents(Change::Kind::Mesh, tr("Open Mesh"), next);
+}
+
+int Document::addMesh(const std::filesystem::path& path, const std::vector<std::string>& objectNames,
+                      int sample) {
+    Contents next = contents();
+    const int file = int(next.meshes.size()), first = int(next.objects.size());
+    next.meshes.push_back({path});
+    for (const std::string& source : objectNames) {
+        const std::string name = project::uniqueName(source, next.objects);
+        next.objects.push_back({.name = name, .source = source, .mesh = file, .sample = sample});
+        if (name == source) next.objects.back().source.clear();
+    }
+    editContents(Change::Kind::Mesh, tr("Add Mesh"), next);
+    return first;
 }
 
 void Document::finishEdit() {

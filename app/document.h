@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/change.h"
-#include "core/project/project.h"
+#include "core/project/objects.h"
 
 #include <QObject>
 #include <QUndoStack>
@@ -28,11 +28,14 @@ public:
     /// "oil study" of oil study.chiaro; "Untitled" without a path.
     QString name() const;
 
-    /// Another project, with a history of its own. `objectNames` are those of its mesh file, which the
-    /// project itself does not hold.
+    /// Another project, with a history of its own. `names` are those of the objects in its mesh files: every
+    /// object of the scene gets settings, in the scene's order.
     void replace(project::Project project, const std::filesystem::path& path,
-                 const std::vector<std::string>& objectNames);
-    /// Throws Error; the document then stays modified.
+                 const project::ObjectNames& names);
+    /// A project that was recovered after a crash: as replace(), but modified from the start.
+    void recover(project::Project project, const std::filesystem::path& path,
+                 const project::ObjectNames& names);
+    /// Keeps what the file was as a backup. Throws Error; the document then stays modified.
     void save(const std::filesystem::path& path);
 
     void editStrip(int sample, const sample::StripParams& params);
@@ -45,10 +48,24 @@ public:
     void editCoherence(const methods::CoherenceParams& params);
     void editViewAligned(const methods::ViewAlignedParams& params);
     void editViewDependent(const methods::ViewDependentParams& params);
+    void editOcclusion(const scene::OcclusionParams& params);
+
+    /// Turns or moves a light.
     void editLight(int light, glm::vec3 vector);
+    /// Of the lights that there are, or with `text` for another number of them.
+    void editLights(const std::vector<scene::Light>& lights, const QString& text);
+    void editAnimation(const project::Animation& animation, const QString& text);
+
+    /// Settings of the same objects of the scene, in its order. Names stay unique: one that is taken gets a
+    /// number.
+    void editObjects(std::vector<project::ObjectSettings> objects, const QString& text);
+    /// Takes objects out of the scene, and out of the project mesh files none of whose objects is left.
+    void removeObjects(const std::vector<int>& objects);
+    /// Puts a copy after each of these objects; returns the copies.
+    std::vector<int> duplicateObjects(const std::vector<int>& objects);
     void editViews(const views::ViewParams& params);
 
-    /// The views that the artist placed on an object of the mesh file.
+    /// The views that the artist placed on an object of the scene.
     const std::vector<project::PlacedView>& placedViews(int object) const;
     /// Places a view from where there was none; returns its index.
     int addView(int object, const project::PlacedView& view);
@@ -64,8 +81,10 @@ public:
     void removeSample(int sample);
     /// Puts the sample on all objects.
     void wearEverywhere(int sample);
-    /// Another mesh, all of whose objects wear the sample.
+    /// Another mesh in place of all there are; its objects wear the sample.
     void setMesh(const std::filesystem::path& path, const std::vector<std::string>& objectNames, int sample);
+    /// One more mesh; its objects wear the sample. Returns the first of them in the scene.
+    int addMesh(const std::filesystem::path& path, const std::vector<std::string>& objectNames, int sample);
 
     /// Ends a drag or dialog: the next edit is another step. Tells editFinished().
     void finishEdit();
@@ -85,17 +104,14 @@ Q_SIGNALS:
 private:
     friend class ProjectCommand;
 
-    /// Samples, the mesh and who wears what change together.
+    /// Samples, meshes and who wears what change together.
     struct Contents {
         std::vector<project::Sample> samples;
-        std::filesystem::path mesh;
+        std::vector<project::MeshFile> meshes;
         std::vector<project::ObjectSettings> objects;
-        std::vector<std::string> objectNames;
         friend bool operator==(const Contents&, const Contents&) = default;
     };
     Contents contents() const;
-    /// The settings of every object of the mesh, those that the project does not name included.
-    std::vector<project::ObjectSettings> allObjects() const;
     void editContents(Change::Kind kind, const QString& text, const Contents& contents);
 
     void editPlacedViews(int object, const QString& text, std::vector<project::PlacedView> views);
@@ -105,7 +121,6 @@ private:
 
     project::Project m_project;
     std::filesystem::path m_path;
-    std::vector<std::string> m_objectNames;
     QUndoStack m_undo;
     int m_session = 0;
     bool m_editing = false;

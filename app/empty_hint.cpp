@@ -22,7 +22,7 @@ bool EmptyHint::eventFilter(QObject* watched, QEvent* event) {
 
 void EmptyHint::follow() {
     const bool needsStrip = m_document.project().samples.empty();
-    const bool needsMesh = m_document.project().mesh.empty();
+    const bool needsMesh = m_document.project().meshes.empty();
     setText(needsStrip && needsMesh
                 ? tr("Drop a strip of paint and a mesh here,\nor open them from the File menu")
             : needsStrip ? tr("Drop a strip of paint here, or open one from the File menu")

@@ -7,6 +7,7 @@
 #include "app/meshes.h"
 #include "app/object_textures.h"
 #include "app/paints.h"
+#include "app/playback.h"
 #include "widgets/viewport/viewport.h"
 
 #include <QtWidgets>
@@ -22,28 +23,25 @@ QString nameOf(const std::filesystem::path& path) {
 }  // namespace
 
 Exporter::Exporter(Document& document, JobRunner& jobs, Paints& paints, Meshes& meshes,
-                   ObjectTextures& textures, widgets::Viewport& viewport, QObject* parent)
+                   ObjectTextures& textures, Playback& playback, widgets::Viewport& viewport, QObject* parent)
     : QObject(parent),
       m_document(document),
       m_jobs(jobs),
       m_paints(paints),
       m_meshes(meshes),
       m_textures(textures),
+      m_playback(playback),
       m_viewport(viewport) {}
 
 PictureSource Exporter::source() const {
     const QSize pixels = m_viewport.pixels();
-    PictureSource source{m_document.project(),
-                         m_meshes.scene(),
-                         m_viewport.camera(),
-                         {},
-                         m_viewport.placements(),
-                         pixels.width(),
-                         pixels.height()};
+    PictureSource source{m_document.project(),    m_meshes.scene(), m_viewport.camera(), {},
+                         m_viewport.placements(), pixels.width(),   pixels.height()};
     for (int sample = 0; sample < int(source.project.samples.size()); ++sample) {
         const Paints::State& state = m_paints.state(sample);
         source.paints.push_back({state.levelsAreFinal ? state.levels : nullptr, m_paints.gradient(sample)});
     }
+    source.scene.lights = m_playback.view().lights;
     const auto textures = m_textures.textures();
     for (int object = 0; object < int(source.scene.objects.size()); ++object)
         source.objectTextures.push_back(m_textures.isFinal(object) ? textures[std::size_t(object)] : nullptr);

@@ -17,6 +17,7 @@ class JobRunner;
 class Meshes;
 class ObjectTextures;
 class Paints;
+class Playback;
 
 /// What the artist takes out of the studio: asks how, and makes it in the background from a snapshot, by core
 /// and never from the screen.
@@ -26,7 +27,7 @@ class Exporter : public QObject {
 public:
     /// Dialogs appear over the viewport's window.
     Exporter(Document& document, JobRunner& jobs, Paints& paints, Meshes& meshes, ObjectTextures& textures,
-             widgets::Viewport& viewport, QObject* parent);
+             Playback& playback, widgets::Viewport& viewport, QObject* parent);
 
     /// `folder` is where files are suggested to go.
     void exportPicture(const QString& folder);
@@ -45,6 +46,7 @@ private:
     Paints& m_paints;
     Meshes& m_meshes;
     ObjectTextures& m_textures;
+    Playback& m_playback;
     widgets::Viewport& m_viewport;
 };
 

@@ -43,7 +43,8 @@ void addLights(Hasher& hasher, const std::vector<scene::Light>& lights) {
             .add(light.vector.y)
             .add(light.vector.z)
             .add(light.intensity)
-            .add(light.wrap);
+            .add(light.wrap)
+            .add(light.visible);
 }
 
 /// What a draft goes by: the centres of every other pixel, each for its neighbours as well.
@@ -102,6 +103,12 @@ void FrameTextures::setView(const scene::Camera& camera, QSize pixels) {
     refresh();
 }
 
+void FrameTextures::setLights(const std::vector<scene::Light>& lights) {
+    if (m_lights == lights) return;
+    m_lights = lights;
+    refresh();
+}
+
 void FrameTextures::retry() {
     m_givenUp.clear();
     refresh();
@@ -118,9 +125,12 @@ void FrameTextures::applyChange(Change change) {
         case Kind::Method:
         case Kind::ImageBased:
             return refresh();
-        case Kind::Strip:       // the separation that comes of it
-        case Kind::Gradient:    // tells itself
-        case Kind::Mesh:        // and so does the scene
+        case Kind::Strip:     // the separation that comes of it
+        case Kind::Gradient:  // tells itself
+        case Kind::Mesh:      // and so does the scene
+        case Kind::Objects:
+        case Kind::Occlusion:
+        case Kind::Animation:
         case Kind::Recoloring:  // over the same texture
         case Kind::Levels:
         case Kind::ViewAligned:
@@ -135,6 +145,7 @@ void FrameTextures::applyChange(Change change) {
 FrameTextures::Inputs FrameTextures::inputs() const {
     Inputs inputs;
     inputs.scene = m_meshes.scene();
+    if (m_lights) inputs.scene.lights = *m_lights;
     inputs.sceneMeshes = m_meshes.contentKey();
     inputs.camera = m_camera;
     inputs.pixels = m_pixels;
@@ -170,6 +181,7 @@ FrameTextures::Keys FrameTextures::keysOf(const Inputs& inputs) const {
     view.add(keys.content).add(inputs.pixels.width()).add(inputs.pixels.height());
     addCamera(view, inputs.camera);
     addLights(view, inputs.scene.lights);
+    addParams(view, inputs.scene.occlusion);
     keys.view = view.value();
     return keys;
 }
@@ -223,8 +235,9 @@ void FrameTextures::refresh() {
 
 FrameTextures::Made FrameTextures::make(const Inputs& inputs, bool isDraft, const Task& task) {
     static const ColorImage unpainted(64, 64, glm::vec3(0));
-    const Rays rays =
-        inputs.rays ? inputs.rays : std::make_shared<const scene::RayScene>(inputs.scene, task.part(0, 0.1));
+    const Rays rays = inputs.rays
+                          ? std::make_shared<const scene::RayScene>(inputs.rays->with(inputs.scene.occlusion))
+                          : std::make_shared<const scene::RayScene>(inputs.scene, task.part(0, 0.1));
     const Task casting = task.part(0.1, 0.5);
     const scene::GBuffer gbuffer =
         isDraft ? draftGuide(*rays, inputs.scene, inputs.camera, inputs.pixels, casting)

@@ -35,6 +35,8 @@ public:
 
     /// The view to make textures for, in device pixels.
     void setView(const scene::Camera& camera, QSize pixels);
+    /// The lights of the frame that is shown; the document's until they are told.
+    void setLights(const std::vector<scene::Light>& lights);
 
     /// Null while there is none.
     const std::shared_ptr<const widgets::ViewTexture>& texture() const { return m_texture; }
@@ -82,6 +84,7 @@ private:
     Paints& m_paints;
     Meshes& m_meshes;
     scene::Camera m_camera;
+    std::optional<std::vector<scene::Light>> m_lights;
     QSize m_pixels;
     std::shared_ptr<const widgets::ViewTexture> m_texture;
     Keys m_shownKeys;

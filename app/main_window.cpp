@@ -1,14 +1,21 @@
 #include "app/main_window.h"
 
 #include "app/docks/gradient_dock.h"
+#include "app/docks/history_dock.h"
+#include "app/docks/jobs_dock.h"
+#include "app/docks/metric_graph_dock.h"
 #include "app/docks/parameters_dock.h"
 #include "app/docks/sample_dock.h"
+#include "app/docks/scene_dock.h"
+#include "app/docks/timeline_dock.h"
 #include "app/docks/view_planning_dock.h"
 #include "app/empty_hint.h"
 #include "app/exporter.h"
 #include "app/job_status.h"
 #include "app/method_switch.h"
+#include "app/metric_tools.h"
 #include "app/recent_files.h"
+#include "app/safekeeping.h"
 #include "app/view_overlays.h"
 #include "app/viewport_link.h"
 #include "core/base/error.h"
@@ -24,7 +31,7 @@ namespace chiaro::app {
 namespace {
 
 constexpr std::size_t memoBytes = std::size_t(1) << 30;
-constexpr int layoutVersion = 3;  ///< of the saved arrangement of docks
+constexpr int layoutVersion = 4;  ///< of the saved arrangement of docks
 constexpr glm::vec3 viewportBackground(0.165F);
 
 const char* const projectFilter = QT_TRANSLATE_NOOP("MainWindow", "Chiaro projects (*.chiaro)");
@@ -46,6 +53,7 @@ MainWindow::MainWindow()
     : m_memo(memoBytes),
       m_paints(m_document, m_jobs, m_memo),
       m_meshes(m_document, m_jobs, m_memo),
+      m_playback(m_document, m_meshes),
       m_frameTextures(m_document, m_jobs, m_memo, m_paints, m_meshes),
       m_viewPlans(m_document, m_jobs, m_memo, m_meshes),
       m_objectTextures(m_document, m_jobs, m_memo, m_paints, m_meshes, m_viewPlans),
@@ -54,22 +62,23 @@ MainWindow::MainWindow()
         std::make_shared<const project::TextureCache>(project::TextureCache::standardFolder()));
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     makeCentralView();
     makeDocks();
+    makeBottomDocks();
     makeToolBar();
     makeStatusBar();
     makeMenus();
     connectParts();
     resize(1400, 900);
-    arrangeDocks();
     m_standardState = saveState(layoutVersion);
     showTitle();
 }
 
 MainWindow::~MainWindow() {
     // The views refer to the document and what is derived from it, which are members: they go first.
+    delete m_safekeeping;
     delete takeCentralWidget();
     qDeleteAll(findChildren<QDockWidget*>());
 }
@@ -86,15 +95,20 @@ void MainWindow::makeCentralView() {
     layout->addWidget(m_viewport, 1);
     setCentralWidget(center);
     new EmptyHint(m_document, m_viewport);
-    new ViewportLink(m_document, m_paints, m_meshes, m_frameTextures, m_objectTextures, *m_viewport, center);
+    new ViewportLink(m_document, m_playback, m_paints, m_meshes, m_frameTextures, m_objectTextures,
+                     *m_viewport, center);
 }
 
 void MainWindow::makeDocks() {
     m_sampleDock = new SampleDock(m_document, m_paints);
     m_gradientDock = new GradientDock(m_document, m_paints);
     m_parametersDock = new ParametersDock(m_document);
+    m_sceneDock = new SceneDock(m_document, m_meshes);
     m_gradientDock->setSample(m_sampleDock->currentSample());
     addDockWidget(Qt::LeftDockWidgetArea, m_sampleDock);
+    addDockWidget(Qt::LeftDockWidgetArea, m_sceneDock);
+    tabifyDockWidget(m_sampleDock, m_sceneDock);
+    m_sampleDock->raise();
     addDockWidget(Qt::RightDockWidgetArea, m_gradientDock);
     m_viewsDock = new ViewPlanningDock(m_document, m_jobs, m_memo, m_meshes, m_viewPlans);
     addDockWidget(Qt::LeftDockWidgetArea, m_parametersDock);
@@ -105,11 +119,42 @@ void MainWindow::makeDocks() {
             [this] { m_viewsDock->setCamera(m_viewport->camera()); });
     m_viewOverlays = new ViewOverlays(*m_viewsDock, m_viewPlans, m_meshes, *m_viewport, m_viewport);
     m_viewsDock->addSwitches({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
+    makeMetrics();
+}
+
+void MainWindow::makeMetrics() {
+    m_metrics = std::make_unique<MetricTools>(m_document, m_jobs, m_paints, m_meshes, *m_viewport);
+    m_metrics->comparison().setCache(m_objectTextures.cache());
+    MetricGraphDock& dock = m_metrics->dock();
+    addDockWidget(Qt::BottomDockWidgetArea, &dock);
+    dock.hide();
+    connect(m_sampleDock, &SampleDock::currentSampleChanged, m_metrics.get(), &MetricTools::setSample);
+    m_metrics->setSample(m_sampleDock->currentSample());
+    connect(&dock, &MetricGraphDock::frameWanted, this, [this](int frame) {
+        const Comparison& comparison = *m_metrics->comparison().result();
+        if (comparison.settings.movement == ComparisonSettings::Movement::Timeline)
+            m_playback.setCurrentFrame(frame);
+    });
+    connect(&dock, &MetricGraphDock::exported, this,
+            [this](const QString& path) { showNote(tr("The figures are at %1").arg(path)); });
+}
+
+void MainWindow::makeBottomDocks() {
+    m_timelineDock = new TimelineDock(m_document, m_playback);
+    m_jobsDock = new JobsDock(m_jobs);
+    m_historyDock = new HistoryDock(m_document.undoStack());
+    addDockWidget(Qt::BottomDockWidgetArea, m_timelineDock);
+    addDockWidget(Qt::BottomDockWidgetArea, m_jobsDock);
+    addDockWidget(Qt::BottomDockWidgetArea, m_historyDock);
+    tabifyDockWidget(m_timelineDock, m_jobsDock);
+    tabifyDockWidget(m_jobsDock, m_historyDock);
+    m_timelineDock->raise();
 }
 
 void MainWindow::arrangeDocks() {
     resizeDocks({m_sampleDock, m_gradientDock}, {340, 340}, Qt::Horizontal);
     resizeDocks({m_sampleDock, m_parametersDock}, {515, 335}, Qt::Vertical);
+    resizeDocks({m_timelineDock}, {m_timelineDock->minimumSizeHint().height()}, Qt::Vertical);
 }
 
 void MainWindow::makeToolBar() {
@@ -127,6 +172,7 @@ void MainWindow::makeStatusBar() {
     m_frameTime = new QLabel;
     m_frameTime->setToolTip(tr("The method shown, and how long its last frame took"));
     statusBar()->addWidget(new JobStatus(m_jobs));
+    m_metrics->addTo(*statusBar());
     statusBar()->addPermanentWidget(m_frameTime);
     statusBar()->setContentsMargins(8, 0, 10, 0);
     statusBar()->setSizeGripEnabled(false);
@@ -153,7 +199,8 @@ void MainWindow::makeMenus() {
     edit->addActions({undo, redo});
     makeViewMenu();
     makeSampleMenu();
-    m_methods->addTo(*menuBar()->addMenu(tr("&Render")));
+    makeSceneMenu();
+    makeRenderMenu();
     makeHelpMenu();
 }
 
@@ -197,9 +244,13 @@ void MainWindow::makeViewMenu() {
     m_viewport->setNavigation(widgets::Viewport::Navigation(chosen));
     view->addActions({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
     view->addSeparator();
+    m_metrics->addTo(*view);
+    view->addSeparator();
     for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
-    addAction(*view, nullptr, tr("&Reset Layout"), {},
-              [this] { restoreState(m_standardState, layoutVersion); });
+    addAction(*view, nullptr, tr("&Reset Layout"), {}, [this] {
+        restoreState(m_standardState, layoutVersion);
+        arrangeDocks();
+    });
 }
 
 void MainWindow::makeSampleMenu() {
@@ -225,6 +276,29 @@ void MainWindow::makeSampleMenu() {
     });
 }
 
+void MainWindow::makeSceneMenu() {
+    QMenu* scene = menuBar()->addMenu(tr("S&cene"));
+    addAction(*scene, "mesh", tr("&Add Mesh…"), QKeySequence("Ctrl+Shift+M"), [this] { addMeshByDialog(); });
+    addAction(*scene, "light-add", tr("Add &Light"), {}, [this] { m_sceneDock->addLight(); });
+    scene->addSeparator();
+    // Their keys are the list's own, so that they never take a letter from a text field.
+    addAction(*scene, "duplicate", tr("&Duplicate"), {}, [this] { m_sceneDock->duplicateSelected(); });
+    addAction(*scene, "eye", tr("&Hide or Show"), {}, [this] { m_sceneDock->toggleSelected(); });
+    addAction(*scene, "remove", tr("&Remove"), {}, [this] { m_sceneDock->removeSelected(); });
+}
+
+void MainWindow::makeRenderMenu() {
+    QMenu* render = menuBar()->addMenu(tr("&Render"));
+    m_methods->addTo(*render);
+    render->addSeparator();
+    addAction(*render, "play", tr("&Play or Pause"), QKeySequence("Ctrl+Space"),
+              [this] { m_timelineDock->togglePlaying(); });
+    addAction(*render, "key-camera", tr("Key &Camera"), QKeySequence("K"),
+              [this] { m_timelineDock->keyCamera(); });
+    addAction(*render, "key-light", tr("Key &Light"), QKeySequence("Shift+K"),
+              [this] { m_timelineDock->keyLight(); });
+}
+
 void MainWindow::makeHelpMenu() {
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     addAction(*help, "note", tr("&About Chiaro"), {}, [this] {
@@ -238,7 +312,8 @@ void MainWindow::makeHelpMenu() {
 }
 
 void MainWindow::connectParts() {
-    m_exporter = new Exporter(m_document, m_jobs, m_paints, m_meshes, m_objectTextures, *m_viewport, this);
+    m_exporter =
+        new Exporter(m_document, m_jobs, m_paints, m_meshes, m_objectTextures, m_playback, *m_viewport, this);
     connect(m_exporter, &Exporter::exported, this, &MainWindow::showNote);
     connect(&m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
     connect(&m_document, &Document::pathChanged, this, &MainWindow::showTitle);
@@ -251,6 +326,10 @@ void MainWindow::connectParts() {
     });
     connect(&m_opener, &Opener::sampleOpened, m_sampleDock, &SampleDock::selectSample);
     m_opener.setReplaceQuestion([this] { return mayDiscard(); });
+    connect(&m_opener, &Opener::meshOpened, m_sceneDock, &SceneDock::selectRow);
+    connect(m_sceneDock, &SceneDock::addMeshWanted, this, &MainWindow::addMeshByDialog);
+    connect(m_sceneDock, &SceneDock::filesDropped, &m_opener, &Opener::add);
+    connect(m_sceneDock, &SceneDock::lightSelected, m_viewport, &widgets::Viewport::setTurnedLight);
     connect(m_recent, &RecentFiles::chosen, this, [this](const QString& path) { open({path}); });
     connect(m_sampleDock, &SampleDock::currentSampleChanged, m_gradientDock, &GradientDock::setSample);
     connect(m_sampleDock, &SampleDock::currentSampleChanged, &m_opener, &Opener::setCurrentSample);
@@ -280,13 +359,20 @@ void MainWindow::newProject() {
     if (mayDiscard()) m_document.replace({}, {}, {});
 }
 
-void MainWindow::openByDialog(const QString& title, const QString& filter) {
+QStringList MainWindow::chooseFiles(const QString& title, const QString& filter) {
     QSettings settings;
     const QString folder = settings.value("folder/" + title).toString();
     const QStringList paths = QFileDialog::getOpenFileNames(this, title, folder, filter);
-    if (paths.isEmpty()) return;
-    settings.setValue("folder/" + title, QFileInfo(paths.front()).path());
-    open(paths);
+    if (!paths.isEmpty()) settings.setValue("folder/" + title, QFileInfo(paths.front()).path());
+    return paths;
+}
+
+void MainWindow::openByDialog(const QString& title, const QString& filter) {
+    if (const QStringList paths = chooseFiles(title, filter); !paths.isEmpty()) open(paths);
+}
+
+void MainWindow::addMeshByDialog() {
+    m_opener.add(chooseFiles(tr("Add Mesh"), tr(meshFilter)));
 }
 
 bool MainWindow::save() {
@@ -338,7 +424,20 @@ void MainWindow::showTitle() {
 void MainWindow::restoreLayout() {
     const QSettings settings;
     restoreGeometry(settings.value("window/geometry").toByteArray());
-    restoreState(settings.value("window/state").toByteArray(), layoutVersion);
+    m_isArranged = restoreState(settings.value("window/state").toByteArray(), layoutVersion);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    // Docks have sizes once they are shown: before that Qt gives room away by its own lights.
+    if (!std::exchange(m_isArranged, true)) QTimer::singleShot(0, this, &MainWindow::arrangeDocks);
+}
+
+bool MainWindow::keepWorkSafe() {
+    m_safekeeping = new Safekeeping(m_document, m_opener, Autosave::standardFolder(), *this);
+    statusBar()->insertPermanentWidget(1,
+                                       m_safekeeping->label());  // behind the jobs, before the frame's time
+    return m_safekeeping->offerRecovery();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -8,6 +8,7 @@
 #include "app/object_textures.h"
 #include "app/opener.h"
 #include "app/paints.h"
+#include "app/playback.h"
 #include "app/view_plans.h"
 
 #include <QMainWindow>
@@ -23,10 +24,16 @@ namespace chiaro::app {
 
 class Exporter;
 class GradientDock;
+class HistoryDock;
+class JobsDock;
 class MethodSwitch;
+class MetricTools;
 class ParametersDock;
 class RecentFiles;
+class Safekeeping;
 class SampleDock;
+class SceneDock;
+class TimelineDock;
 class ViewOverlays;
 class ViewPlanningDock;
 
@@ -42,6 +49,9 @@ public:
     void open(const QStringList& paths) { m_opener.open(paths); }
     /// Where docks were and how large the window was when it was closed last.
     void restoreLayout();
+    /// Keeps the artist's work, and asks about what is amiss: for a window that somebody sits at. Offers what
+    /// a studio that crashed left; true when the artist takes it.
+    bool keepWorkSafe();
 
     Document& document() { return m_document; }
     JobRunner& jobs() { return m_jobs; }
@@ -52,8 +62,13 @@ public:
     widgets::Viewport& viewport() { return *m_viewport; }
     widgets::MessageBar& messages() { return *m_messages; }
     SampleDock& sampleDock() { return *m_sampleDock; }
+    SceneDock& sceneDock() { return *m_sceneDock; }
+    Playback& playback() { return m_playback; }
+    TimelineDock& timelineDock() { return *m_timelineDock; }
+    JobsDock& jobsDock() { return *m_jobsDock; }
     GradientDock& gradientDock() { return *m_gradientDock; }
     ViewPlanningDock& viewPlanningDock() { return *m_viewsDock; }
+    MetricTools& metrics() { return *m_metrics; }
     QString frameText() const;  ///< in the status bar: the method and its frame time
 
 public Q_SLOTS:
@@ -67,6 +82,7 @@ Q_SIGNALS:
     void errorShown(const QString& message);
 
 protected:
+    void showEvent(QShowEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -74,6 +90,8 @@ protected:
 private:
     void makeCentralView();
     void makeDocks();
+    void makeMetrics();
+    void makeBottomDocks();
     void arrangeDocks();
     void makeToolBar();
     void makeStatusBar();
@@ -81,6 +99,8 @@ private:
     void makeFileMenu();
     void makeViewMenu();
     void makeSampleMenu();
+    void makeSceneMenu();
+    void makeRenderMenu();
     void makeHelpMenu();
     void connectParts();
     QAction* addAction(QMenu& menu, const char* icon, const QString& text, const QKeySequence& keys,
@@ -90,6 +110,8 @@ private:
     QString folder() const;
     void newProject();
     void openByDialog(const QString& title, const QString& filter);
+    void addMeshByDialog();
+    QStringList chooseFiles(const QString& title, const QString& filter);
     bool saveTo(const QString& path);
     bool mayDiscard();
     void showTitle();
@@ -101,23 +123,31 @@ private:
     JobRunner m_jobs;
     Paints m_paints;
     Meshes m_meshes;
+    Playback m_playback;
     FrameTextures m_frameTextures;
     ViewPlans m_viewPlans;
     ObjectTextures m_objectTextures;
     Opener m_opener;
+    std::unique_ptr<MetricTools> m_metrics;
 
     MethodSwitch* m_methods = nullptr;
     widgets::MessageBar* m_messages = nullptr;
     widgets::Viewport* m_viewport = nullptr;
     SampleDock* m_sampleDock = nullptr;
+    SceneDock* m_sceneDock = nullptr;
     GradientDock* m_gradientDock = nullptr;
     ParametersDock* m_parametersDock = nullptr;
     ViewPlanningDock* m_viewsDock = nullptr;
+    TimelineDock* m_timelineDock = nullptr;
+    JobsDock* m_jobsDock = nullptr;
+    HistoryDock* m_historyDock = nullptr;
     ViewOverlays* m_viewOverlays = nullptr;
     Exporter* m_exporter = nullptr;
     RecentFiles* m_recent = nullptr;
+    Safekeeping* m_safekeeping = nullptr;
     QLabel* m_frameTime = nullptr;
     QByteArray m_standardState;
+    bool m_isArranged = false;
 };
 
 }  // namespace chiaro::app

@@ -156,7 +156,10 @@ void ObjectTextures::applyChange(Change change) {
         case Kind::ViewDependent:
             if (m_document.isEditing()) m_rest.start();
             return refresh();
-        case Kind::Mesh:        // the scene that comes of it tells itself
+        case Kind::Mesh:     // the scene that comes
+        case Kind::Objects:  // of it tells itself
+        case Kind::Occlusion:
+        case Kind::Animation:
         case Kind::Recoloring:  // over the same texture
         case Kind::Lights:
         case Kind::ViewAligned:

@@ -7,31 +7,60 @@
 #include "app/paints.h"
 #include "core/base/error.h"
 #include "core/base/resources.h"
+#include "core/project/objects.h"
 
 #include <QtWidgets>
 
+#include <map>
+
 namespace chiaro::app {
+
+/// A project and the files that it names, all read but those that are missing.
+struct LoadedFiles {
+    project::Project project;
+    std::map<std::filesystem::path, LoadedScan> scans;
+    std::map<std::filesystem::path, LoadedModel> models;
+    std::vector<std::string> warnings;
+    bool isRelinked = false;  ///< its files are not those that it was saved with
+};
 
 namespace {
 
-/// A project and the files that it names, all read.
-struct LoadedProject {
-    project::Project project;
-    std::vector<LoadedScan> scans;
-    LoadedModel model;
-};
-
-LoadedProject readAll(const std::filesystem::path& path, const Task& task) {
-    LoadedProject loaded{project::readProject(path), {}, {}};
-    const auto& samples = loaded.project.samples;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
+LoadedFiles readAll(project::Project project, const Task& task) {
+    LoadedFiles loaded{.project = std::move(project), .scans = {}, .models = {}, .warnings = {}};
+    const std::vector<project::MissingFile> missing = project::missingFiles(loaded.project);
+    const auto isMissing = [&](const std::filesystem::path& path) {
+        return std::ranges::find(missing, path, &project::MissingFile::path) != missing.end();
+    };
+    const std::size_t count = loaded.project.samples.size() + loaded.project.meshes.size();
+    std::size_t number = 0;
+    const auto next = [&] {
         task.checkpoint();
-        loaded.scans.push_back(LoadedScan::read(samples[i].scan));
-        task.report(0.5 * double(i + 1) / double(samples.size()));
+        ++number;
+        return task.part(double(number - 1) / double(count), double(number) / double(count));
+    };
+    for (const project::Sample& sample : loaded.project.samples) {
+        next().report(0);
+        if (!isMissing(sample.scan)) loaded.scans.emplace(sample.scan, LoadedScan::read(sample.scan));
     }
-    if (!loaded.project.mesh.empty())
-        loaded.model = LoadedModel::read(loaded.project.mesh, task.part(0.5, 1));
+    for (const project::MeshFile& mesh : loaded.project.meshes) {
+        const Task part = next();
+        if (isMissing(mesh.path) || loaded.models.contains(mesh.path)) continue;
+        const auto [model, isNew] = loaded.models.emplace(mesh.path, LoadedModel::read(mesh.path, part));
+        const auto& warnings = model->second.warnings;
+        loaded.warnings.insert(loaded.warnings.end(), warnings.begin(), warnings.end());
+    }
     return loaded;
+}
+
+project::ObjectNames namesIn(const LoadedFiles& loaded) {
+    project::ObjectNames names;
+    for (const project::MeshFile& mesh : loaded.project.meshes) {
+        const auto model = loaded.models.find(mesh.path);
+        names.push_back(model == loaded.models.end() ? std::vector<std::string>{}
+                                                     : model->second.objectNames());
+    }
+    return names;
 }
 
 /// The demo is opened to play with: saving asks for a place, and the demo stays as it is.
@@ -43,6 +72,23 @@ bool isDemo(const std::filesystem::path& path) {
     }
 }
 
+/// What to say of a mesh that is lost in the scene that it joins, or the other way around; empty else.
+QString sizeNote(const LoadedModel& model, const scene::Scene& scene) {
+    constexpr float striking = 15;
+    scene::BoundsBuilder added;
+    for (const auto& mesh : model.meshes) added.addMesh(*mesh, glm::mat4(1));
+    const float ratio = added.bounds().radius / scene::boundsOf(scene).radius;
+    if (!(ratio > 0) || !std::isfinite(ratio) || (ratio < striking && ratio > 1 / striking)) return {};
+    return ratio > 1 ? Opener::tr(
+                           "The added mesh is %1 times as large as the rest; its Scale in the Scene dock "
+                           "fits it in.")
+                           .arg(qRound(ratio))
+                     : Opener::tr(
+                           "The rest is %1 times as large as the added mesh; its Scale in the Scene dock "
+                           "fits it in.")
+                           .arg(qRound(1 / ratio));
+}
+
 QString fileName(const std::filesystem::path& path) {
     return QString::fromStdString(path.filename().string());
 }
@@ -52,33 +98,45 @@ QString fileName(const std::filesystem::path& path) {
 Opener::Opener(Document& document, JobRunner& jobs, Paints& paints, Meshes& meshes, QObject* parent)
     : QObject(parent), m_document(document), m_jobs(jobs), m_paints(paints), m_meshes(meshes) {}
 
-void Opener::open(const QStringList& paths) {
-    std::vector<std::filesystem::path> files;
+void Opener::open(const QStringList& paths, Purpose purpose) {
+    std::vector<Entry> entries;
     for (const QString& path : paths)
-        files.push_back(std::filesystem::absolute(std::filesystem::path(path.toStdString())));
+        entries.push_back({std::filesystem::absolute(std::filesystem::path(path.toStdString())), purpose});
+    enqueue(std::move(entries));
+}
+
+void Opener::recover(const std::filesystem::path& kept, const std::filesystem::path& original) {
+    enqueue({{kept, Purpose::Recover, original}});
+}
+
+void Opener::enqueue(std::vector<Entry> entries) {
     // The queue is taken from its end.
-    std::reverse(files.begin(), files.end());
-    m_queue.insert(m_queue.begin(), files.begin(), files.end());
+    m_queue.insert(m_queue.begin(), entries.rbegin(), entries.rend());
     if (!m_busy) openNext();
 }
 
 void Opener::openNext() {
     m_busy = !m_queue.empty();
     if (!m_busy) return;
-    const std::filesystem::path path = m_queue.back();
+    const Entry entry = m_queue.back();
     m_queue.pop_back();
     try {
-        switch (fileKind(path)) {
+        switch (fileKind(entry.path)) {
             case FileKind::Project:
-                return openProject(path);
+                return openProject(entry);
             case FileKind::Strip:
-                return openStrip(path);
+                return openStrip(entry.path);
             case FileKind::Mesh:
-                return openMesh(path);
+                return openMesh(entry);
         }
     } catch (const std::exception& problem) {
         reportAndGoOn(QString::fromStdString(problem.what()));
     }
+}
+
+JobSpec Opener::spec(const std::filesystem::path& path) {
+    return {tr("Opening %1").arg(fileName(path)), "open",
+            [this](const QString& message) { reportAndGoOn(message); }, [this] { openNext(); }};
 }
 
 void Opener::reportAndGoOn(const QString& message) {
@@ -86,31 +144,51 @@ void Opener::reportAndGoOn(const QString& message) {
     openNext();
 }
 
-void Opener::openProject(const std::filesystem::path& path) {
+void Opener::openProject(const Entry& entry) {
     if (m_document.isModified() && m_mayReplace && !m_mayReplace()) return openNext();
+    if (entry.purpose != Purpose::Recover && m_mayOpen && !m_mayOpen(entry.path)) return openNext();
     m_jobs.start(
-        {tr("Opening %1").arg(fileName(path)), "open",
-         [this](const QString& message) { reportAndGoOn(message); }, [this] { openNext(); }},
-        [path](const Task& task) { return readAll(path, task); },
-        [this, path](LoadedProject loaded) {
-            for (std::size_t i = 0; i < loaded.scans.size(); ++i)
-                m_paints.remember(loaded.project.samples[i].scan, std::move(loaded.scans[i]));
-            const std::vector<std::string> names = loaded.model.objectNames();
-            const std::vector<std::string> warnings = loaded.model.warnings;
-            if (!loaded.project.mesh.empty()) m_meshes.remember(loaded.project.mesh, std::move(loaded.model));
-            m_document.replace(std::move(loaded.project), isDemo(path) ? std::filesystem::path() : path,
-                               names);
-            Q_EMIT projectOpened(QString::fromStdString(path.string()));
-            note(warnings);
-            openNext();
+        spec(entry.path), [path = entry.path](const Task&) { return project::readProject(path); },
+        [this, entry](project::Project project) { readFiles(entry, std::move(project)); });
+}
+
+void Opener::readFiles(const Entry& entry, project::Project project) {
+    const std::vector<project::MissingFile> missing = project::missingFiles(project);
+    const project::Project saved = project;
+    if (!missing.empty() && !m_findMissing) {
+        const Error error(missing.front().path.string(), "is not there",
+                          "the project needs it; put it back or open the project where it can be found");
+        return reportAndGoOn(QString::fromStdString(error.what()));
+    }
+    if (!missing.empty() && !m_findMissing(project)) return openNext();
+    const bool isRelinked = project != saved;
+    m_jobs.start(
+        spec(entry.path), [project = std::move(project)](const Task& task) { return readAll(project, task); },
+        [this, entry, isRelinked](LoadedFiles loaded) {
+            loaded.isRelinked = isRelinked;
+            show(entry, std::move(loaded));
         });
+}
+
+void Opener::show(const Entry& entry, LoadedFiles loaded) {
+    const project::ObjectNames names = namesIn(loaded);
+    for (auto& [path, scan] : loaded.scans) m_paints.remember(path, std::move(scan));
+    for (auto& [path, model] : loaded.models) m_meshes.remember(path, std::move(model));
+    const bool isRecovered = entry.purpose == Purpose::Recover;
+    const std::filesystem::path path = isRecovered ? entry.original : entry.path;
+    const std::filesystem::path place = isDemo(path) ? std::filesystem::path() : path;
+    if (isRecovered || loaded.isRelinked)
+        m_document.recover(std::move(loaded.project), place, names);
+    else
+        m_document.replace(std::move(loaded.project), place, names);
+    Q_EMIT projectOpened(QString::fromStdString(path.string()));
+    note(loaded.warnings);
+    openNext();
 }
 
 void Opener::openStrip(const std::filesystem::path& path) {
     m_jobs.start(
-        {tr("Opening %1").arg(fileName(path)), "open",
-         [this](const QString& message) { reportAndGoOn(message); }, [this] { openNext(); }},
-        [path](const Task&) { return LoadedScan::read(path); },
+        spec(path), [path](const Task&) { return LoadedScan::read(path); },
         [this, path](LoadedScan scan) {
             m_paints.remember(path, std::move(scan));
             project::Sample opened;
@@ -122,17 +200,22 @@ void Opener::openStrip(const std::filesystem::path& path) {
         });
 }
 
-void Opener::openMesh(const std::filesystem::path& path) {
+void Opener::openMesh(const Entry& entry) {
+    const std::filesystem::path path = entry.path;
     m_jobs.start(
-        {tr("Opening %1").arg(fileName(path)), "open",
-         [this](const QString& message) { reportAndGoOn(message); }, [this] { openNext(); }},
-        [path](const Task& task) { return LoadedModel::read(path, task); },
-        [this, path](LoadedModel model) {
+        spec(path), [path](const Task& task) { return LoadedModel::read(path, task); },
+        [this, path, adds = entry.purpose == Purpose::Add](LoadedModel model) {
             const std::vector<std::string> names = model.objectNames();
-            const std::vector<std::string> warnings = model.warnings;
+            std::vector<std::string> warnings = model.warnings;
+            if (const QString size = sizeNote(model, m_meshes.scene()); adds && !size.isEmpty())
+                warnings.push_back(size.toStdString());
             m_meshes.remember(path, std::move(model));
-            m_document.setMesh(path, names, m_currentSample);
-            Q_EMIT meshOpened();
+            int first = 0;
+            if (adds)
+                first = m_document.addMesh(path, names, m_currentSample);
+            else
+                m_document.setMesh(path, names, m_currentSample);
+            Q_EMIT meshOpened(first);
             note(warnings);
             openNext();
         });

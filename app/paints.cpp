@@ -90,9 +90,12 @@ void Paints::applyChange(Change change) {
             if (m_document.isEditing()) m_rest.start();
             return refreshAll();
         case Change::Kind::Mesh:
+        case Change::Kind::Objects:  // other samples may be worn
         case Change::Kind::Method:
             return refreshAll();
         case Change::Kind::Lights:
+        case Change::Kind::Occlusion:
+        case Change::Kind::Animation:
         case Change::Kind::ViewAligned:
         case Change::Kind::ImageBased:
         case Change::Kind::Coherence:

@@ -35,7 +35,7 @@ struct PictureSource {
     scene::Camera camera;
     std::vector<PicturePaint> paints;                   ///< one a sample
     std::vector<methods::TexturePlacement> placements;  ///< one an object, in the viewport's pixels
-    int viewportWidth = 1920;  ///< px
+    int viewportWidth = 1920;                           ///< px
     int viewportHeight = 1080;
     /// One an object, of its own views; null: to be made for the picture, if its method uses them.
     std::vector<std::shared_ptr<const methods::PaintedObject>> objectTextures = {};

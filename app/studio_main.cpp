@@ -47,6 +47,8 @@ int main(int argc, char** argv) {
     window.show();
     const QStringList files = parser.positionalArguments();
     if (parser.isSet(screenshot)) new chiaro::app::Screenshot(window, parser.value(screenshot));
-    window.open(files.isEmpty() ? demoProject() : files);
+    const bool isAttended = !parser.isSet(screenshot);
+    const bool isRecovering = isAttended && window.keepWorkSafe();
+    if (!isRecovering || !files.isEmpty()) window.open(files.isEmpty() ? demoProject() : files);
     return QApplication::exec();
 }

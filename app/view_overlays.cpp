@@ -34,6 +34,7 @@ ViewOverlays::ViewOverlays(ViewPlanningDock& dock, ViewPlans& plans, Meshes& mes
     connect(&dock, &ViewPlanningDock::shownViewsChanged, this, &ViewOverlays::show);
     connect(&viewport, &widgets::Viewport::viewChanged, this,
             [this, &viewport] { m_overlay->setCamera(viewport.camera()); });
+    connect(&meshes, &Meshes::sceneChanged, this, &ViewOverlays::show);  // the object may be moved
     m_overlay->setCamera(viewport.camera());
     show();
 }

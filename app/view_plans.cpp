@@ -82,7 +82,10 @@ void ViewPlans::applyChange(Change change) {
         case Kind::Views:
         case Kind::PlacedViews:
             return refresh();
-        case Kind::Mesh:  // the scene that comes of it tells itself
+        case Kind::Mesh:     // the scene that comes
+        case Kind::Objects:  // of it tells itself
+        case Kind::Occlusion:
+        case Kind::Animation:
         case Kind::Strip:
         case Kind::Gradient:
         case Kind::Recoloring:
@@ -98,14 +101,15 @@ void ViewPlans::applyChange(Change change) {
 
 std::uint64_t ViewPlans::keyOf(int object, const scene::Object& one) const {
     const project::Project& project = m_document.project();
-    if (!one.visible) return 0;
+    if (!one.visible || !one.mesh) return 0;
     Hasher hasher;
-    hasher.add("view plan").add(m_meshKey).add(object);
+    // A plan keeps its mesh, so that no other mesh gets the same address while it is remembered.
+    hasher.add("view plan").add(m_meshes.contentKey(object)).add(project::scaleOf(one));
+    hasher.add(reinterpret_cast<std::uintptr_t>(one.mesh.get()));
     for (const double value : views::ViewParams::table().values(project.views)) hasher.add(value);
     hasher.add(project.views.up.x).add(project.views.up.y).add(project.views.up.z);
     for (const scene::Object& other : m_meshes.scene().objects) hasher.add(project::scaleOf(other));
-    const auto settings = std::ranges::find(project.objects, one.name, &project::ObjectSettings::name);
-    if (settings != project.objects.end()) hasher.add(std::span<const project::PlacedView>(settings->views));
+    hasher.add(std::span<const project::PlacedView>(m_document.placedViews(object)));
     return hasher.value();
 }
 

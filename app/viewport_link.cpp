@@ -5,7 +5,7 @@
 #include "app/meshes.h"
 #include "app/object_textures.h"
 #include "app/paints.h"
-#include "core/project/pipeline.h"
+#include "app/playback.h"
 #include "widgets/viewport/viewport.h"
 
 #include <QtWidgets>
@@ -14,10 +14,12 @@ namespace chiaro::app {
 
 using widgets::Viewport;
 
-ViewportLink::ViewportLink(Document& document, Paints& paints, Meshes& meshes, FrameTextures& textures,
-                           ObjectTextures& objectTextures, Viewport& viewport, QObject* parent)
+ViewportLink::ViewportLink(Document& document, Playback& playback, Paints& paints, Meshes& meshes,
+                           FrameTextures& textures, ObjectTextures& objectTextures, Viewport& viewport,
+                           QObject* parent)
     : QObject(parent),
       m_document(document),
+      m_playback(playback),
       m_paints(paints),
       m_meshes(meshes),
       m_textures(textures),
@@ -33,8 +35,10 @@ ViewportLink::ViewportLink(Document& document, Paints& paints, Meshes& meshes, F
             [this, &objectTextures] { m_viewport.setPaintedObjects(objectTextures.textures()); });
     connect(&viewport, &Viewport::viewChanged, this,
             [this] { m_textures.setView(m_viewport.camera(), m_viewport.pixels()); });
-    connect(&viewport, &Viewport::cameraEdited, &document, &Document::setCamera);
-    connect(&viewport, &Viewport::lightEdited, &document, &Document::editLight);
+    connect(&viewport, &Viewport::cameraEdited, &playback, &Playback::takeCamera);
+    connect(&viewport, &Viewport::lightEdited, &playback, &Playback::takeLight);
+    connect(&viewport, &Viewport::frameDrawn, &playback, &Playback::countPicture);
+    connect(&playback, &Playback::viewChanged, this, &ViewportLink::showFrame);
     connect(&viewport, &Viewport::lightEditFinished, &document, &Document::finishEdit);
     applyChange({});
     showScene();
@@ -50,16 +54,12 @@ void ViewportLink::applyChange(Change change) {
             m_viewport.setMethod(project.method);
             m_viewport.setParams(project.viewAligned);
             m_viewport.setViewDependent(project.viewDependent);
-            m_viewport.setLights(project.lights);
             [[fallthrough]];
         case Kind::Samples:
             for (int sample = 0; sample < int(project.samples.size()); ++sample) showPaint(sample);
             for (int sample = int(project.samples.size()); sample < m_shownSamples; ++sample)
                 m_viewport.setPaint(sample, {});
             m_shownSamples = int(project.samples.size());
-            break;
-        case Kind::Lights:
-            m_viewport.setLights(project.lights);
             break;
         case Kind::ViewAligned:
             m_viewport.setParams(project.viewAligned);
@@ -79,6 +79,10 @@ void ViewportLink::applyChange(Change change) {
         case Kind::Recoloring:
         case Kind::Levels:
         case Kind::Mesh:
+        case Kind::Objects:
+        case Kind::Occlusion:
+        case Kind::Lights:     // the playback
+        case Kind::Animation:  // tells what they are at its frame
             break;
     }
 }
@@ -86,11 +90,21 @@ void ViewportLink::applyChange(Change change) {
 void ViewportLink::showScene() {
     const scene::Scene scene = m_meshes.scene();
     m_viewport.setScene(scene);
+    showFrame();
     std::vector<std::shared_ptr<const scene::Mesh>> meshes;
     for (const scene::Object& object : scene.objects) meshes.push_back(object.mesh);
     if (meshes == m_framed) return;
     m_framed = std::move(meshes);
-    m_viewport.setCamera(project::cameraFor(m_document.project(), scene));
+    m_viewport.setCamera(m_playback.view().camera);
+}
+
+void ViewportLink::showFrame() {
+    const scene::View view = m_playback.view();
+    const scene::Path& path = m_document.project().animation.path;
+    const bool movesCamera = path.cameraTurn != 0 || !path.keyFrames(scene::Path::Part::Camera).empty();
+    m_viewport.setLights(view.lights);
+    m_textures.setLights(view.lights);
+    if (movesCamera) m_viewport.setCamera(view.camera);
 }
 
 void ViewportLink::showPaint(int sample) {

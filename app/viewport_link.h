@@ -19,21 +19,26 @@ class FrameTextures;
 class Meshes;
 class ObjectTextures;
 class Paints;
+class Playback;
 
-/// Keeps the viewport showing the document, and takes back what the artist does in it: the camera, the light.
+/// Keeps the viewport showing the document at its current frame, and takes back what the artist does in it:
+/// the camera, the light.
 class ViewportLink : public QObject {
     Q_OBJECT
 
 public:
-    ViewportLink(Document& document, Paints& paints, Meshes& meshes, FrameTextures& textures,
-                 ObjectTextures& objectTextures, widgets::Viewport& viewport, QObject* parent = nullptr);
+    ViewportLink(Document& document, Playback& playback, Paints& paints, Meshes& meshes,
+                 FrameTextures& textures, ObjectTextures& objectTextures, widgets::Viewport& viewport,
+                 QObject* parent = nullptr);
 
 private:
     void applyChange(Change change);
     void showScene();
     void showPaint(int sample);
+    void showFrame();
 
     Document& m_document;
+    Playback& m_playback;
     Paints& m_paints;
     Meshes& m_meshes;
     FrameTextures& m_textures;

@@ -38,7 +38,7 @@ void WornScene::wearTextures(const PictureSource& source, const Task& task) {
         const scene::Object& object = source.scene.objects[i];
         project::Worn& one = m_worn[i];
         if (i < source.objectTextures.size()) one.views = source.objectTextures[i];
-        if (one.paint == &m_bare || !object.visible) continue;
+        if (one.paint == &m_bare || !object.visible || !object.mesh) continue;
         const Task part = task.part(share * double(i), share * double(i + 1));
         project::Paint& paint = m_paints[std::size_t(object.sample)];
         if (paint.shown.empty() || (!one.views && paint.strip.empty()))

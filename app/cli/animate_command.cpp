@@ -1,3 +1,4 @@
+#include "app/cli/path_flags.h"
 #include "app/cli/picture_output.h"
 #include "app/cli/project_source.h"
 #include "core/base/error.h"
@@ -42,10 +43,9 @@ struct AnimateCommand {
     methods::CoherenceParams coherence;
     std::vector<std::function<void(methods::CoherenceParams&)>> coherenceFlags;
     std::filesystem::path output;
-    std::string frames = "1-48";
-    std::string path = "turntable";
-    int period = 48;
-    double framesPerSecond = 24;
+    std::string frames;  ///< empty: the project's, where something moves in it
+    PathFlags path{"turntable"};
+    std::optional<double> framesPerSecond;
     bool resume = false;
 
     bool makesVideo() const { return exporting::isWritableVideo(output); }
@@ -53,12 +53,13 @@ struct AnimateCommand {
     void run(Session& session) const {
         session.start();
         checkFlags();
-        const FrameRange range = rangeOf();
+        rangeOf({});
         const Task task = session.task("animate");
         project::Project project = source.load();
+        const FrameRange range = rangeOf(project.animation);
         if (!coherenceFlags.empty() && !source.methodGiven()) project.method = "image-based";
         for (const auto& apply : coherenceFlags) apply(project.coherence);
-        const scene::Path way = pathOf();
+        const scene::Path way = keyed(project.animation) ? project.animation.path : path.path();
         refuseInputs(project, range);
         Stopwatch stopwatch;
         const LoadedProject loaded = loadProject(std::move(project), task.part(0, 0.1));
@@ -95,20 +96,23 @@ struct AnimateCommand {
         if (resume) throw CLI::ValidationError("--resume: is for sequences of pictures; write name.####.png");
     }
 
-    FrameRange rangeOf() const {
-        FrameRange range;
-        usageFrom("--frames", [&] { range = FrameRange::parse(frames); });
+    FrameRange rangeOf(const project::Animation& animation) const {
+        FrameRange range{1, 48};
+        if (!frames.empty())
+            usageFrom("--frames", [&] { range = FrameRange::parse(frames); });
+        else if (keyed(animation))
+            range = {animation.firstFrame, animation.lastFrame};
         return range;
     }
 
-    scene::Path pathOf() const {
-        if (path == "turntable") return scene::Path::turntable(period);
-        if (path == "light") return scene::Path::lightSweep(period);
-        return project::readPath(path);
+    /// Whether the project's keys are to be followed.
+    bool keyed(const project::Animation& animation) const {
+        return !path.isGiven() && animation.path.moves();
     }
 
     void refuseInputs(const project::Project& project, FrameRange range) const {
-        std::vector<std::filesystem::path> inputs{project.mesh, source.path(), path}, outputs;
+        std::vector<std::filesystem::path> inputs{source.path(), path.name()};
+        for (const project::MeshFile& mesh : project.meshes) inputs.push_back(mesh.path);
         for (const project::Sample& sample : project.samples) inputs.push_back(sample.scan);
         if (makesVideo()) return refuseOverwriting(inputs, {output});
         for (int frame = range.first; frame <= range.last; ++frame)
@@ -120,8 +124,10 @@ struct AnimateCommand {
         json.update(paintParameters(shot.project));
         json.update(parametersToJson(shot.project.coherence));
         json.update(sceneParameters(shot.project));
-        json["path"] = std::filesystem::path(path).filename().string();
-        json["period"] = period;
+        if (keyed(shot.project.animation))
+            json["path"] = "project";
+        else
+            json.update(path.parameters());
         json["frame"] = frame;
         json["content"] = fmt::format("{:016x}", content);
         return pictureMetadata("animate", json);
@@ -149,7 +155,8 @@ struct AnimateCommand {
     }
 
     int makeVideo(const project::Shot& shot, FrameRange range, const Task& task) const {
-        VideoWriter video(output, shot.width, shot.height, framesPerSecond);
+        VideoWriter video(output, shot.width, shot.height,
+                          framesPerSecond.value_or(shot.project.animation.rate));
         project::ShotViews views(shot);
         const auto painter = project::framePainter(shot, views);
         for (int frame = range.first; frame <= range.last; ++frame)
@@ -198,17 +205,15 @@ void addAnimateCommand(CLI::App& root, Session& session) {
                      "Pictures to write, name.####.png (.exr, .tif), #### being the frame; or a video: .mp4, "
                      ".webm or .mkv (lossless)")
         ->required();
-    command->add_option("--frames", state->frames,
-                        "First and last frame, as 1-48 (default 1-48); any part of a path gives the frames "
-                        "that the whole path gives");
     command->add_option(
-        "--path", state->path,
-        "turntable (the camera goes around, from the project's view on), light (the lights go "
-        "around +Y), or a JSON file of camera and light keys (default turntable)");
-    command->add_option("--period", state->period, "Frames in which a turn goes around once (default 48)")
-        ->check(CLI::Range(1, 100000));
+        "--frames", state->frames,
+        "First and last frame, as 1-48 (default: the project's render range if its timeline has keys, else "
+        "1-48); any part of a path gives the frames that the whole path gives");
+    state->path.addTo(*command, "the keys of the project's timeline, or turntable if it has none");
     addCoherenceFlags(*command, *state);
-    command->add_option("--fps", state->framesPerSecond, "Frames a second of a video (1..240; default 24)")
+    command
+        ->add_option("--fps", state->framesPerSecond,
+                     "Frames a second of a video (1..240; default: the project's, or 24)")
         ->check(CLI::Range(1.0, 240.0));
     command->add_flag("--resume", state->resume,
                       "Keep pictures that are there already and were made by the same command from the same "

@@ -120,11 +120,11 @@ private:
 
     static View viewOf(const fs::path& mesh) {
         View view;
-        view.project.mesh = mesh;
-        std::vector<std::shared_ptr<const scene::Mesh>> meshes;
+        view.project.meshes = {{mesh}};
+        project::MeshList meshes;
         for (const scene::Mesh& one : scene::readModel(mesh).meshes)
             meshes.push_back(std::make_shared<const scene::Mesh>(one));
-        view.scene = project::makeScene(view.project, meshes);
+        view.scene = project::makeScene(view.project, {meshes});
         view.gbuffer = scene::castGBuffer(scene::RayScene(view.scene), view.scene.lights,
                                           project::cameraFor(view.project, view.scene), side, side);
         return view;

@@ -20,7 +20,8 @@ struct ExportCommand {
         session.start();
         const exporting::MeshFormat format = exporting::meshFormat(output);
         project::Project project = source.load();
-        std::vector<std::filesystem::path> inputs{project.mesh, source.path()};
+        std::vector<std::filesystem::path> inputs{source.path()};
+        for (const project::MeshFile& mesh : project.meshes) inputs.push_back(mesh.path);
         for (const project::Sample& sample : project.samples) inputs.push_back(sample.scan);
         refuseOverwriting(inputs, exporting::filesOf(output));
         exporting::checkMeshOutput(output, mayReplace);

@@ -31,15 +31,23 @@ void dress(project::Project& project, const std::string& assignment) {
     object->sample = int(project.samples.size()) - 1;
 }
 
-void checkObjectNames(const project::Project& project, const scene::Model& model) {
+/// Reads a project's mesh file and refuses the project when it names objects that the file doesn't have.
+project::MeshList readMeshes(const project::Project& project, std::size_t file, const Task& task) {
+    const std::filesystem::path& path = project.meshes[file].path;
+    project::MeshList meshes;
+    std::vector<std::string> names;
+    for (scene::Mesh& mesh : scene::readModel(path, task).meshes) {
+        names.push_back("\"" + mesh.name + "\"");
+        meshes.push_back(std::make_shared<const scene::Mesh>(std::move(mesh)));
+    }
     for (const project::ObjectSettings& object : project.objects) {
-        const auto named = [&](const scene::Mesh& mesh) { return mesh.name == object.name; };
-        if (std::any_of(model.meshes.begin(), model.meshes.end(), named)) continue;
-        std::vector<std::string> names;
-        for (const scene::Mesh& mesh : model.meshes) names.push_back("\"" + mesh.name + "\"");
-        throw Error(project.mesh.string(), "has no object \"" + object.name + "\"",
+        const std::string& source = object.sourceName();
+        if (object.mesh != int(file) || std::ranges::find(names, "\"" + source + "\"") != names.end())
+            continue;
+        throw Error(path.string(), "has no object \"" + source + "\"",
                     fmt::format("it has {}", fmt::join(names, ", ")).substr(0, 400));
     }
+    return meshes;
 }
 
 }  // namespace
@@ -58,11 +66,13 @@ void ProjectSource::addSceneFlags(CLI::App& command) {
     };
     command.add_option_function<std::string>(
         "--mesh", overrides([](project::Project& project, const std::string& text) {
-            project.mesh = text;
+            project.meshes = {{text}};
             project.objects.clear();
             project.frameCamera = true;
         }),
-        "Mesh to paint: OBJ, PLY, OFF, STL, GLB or glTF");
+        "Mesh to paint in place of the project's: OBJ, PLY, OFF, STL, GLB or glTF");
+    addOverrides<scene::OcclusionParams>(
+        command, {[](project::Project& project) -> scene::OcclusionParams& { return project.occlusion; }});
     command.add_option_function<std::string>(
         "--sample", overrides([](project::Project& project, const std::string& text) {
             project.samples = {sampleFrom(text)};
@@ -166,7 +176,7 @@ project::Project ProjectSource::load(Subject subject) const {
     if (!m_path.empty()) project = project::readProject(m_path);
     if (subject == Subject::Guide) project.objects.clear();
     for (const Override& apply : m_overrides) apply(project);
-    if (subject == Subject::Mesh && project.mesh.empty())
+    if (subject == Subject::Mesh && project.meshes.empty())
         throw CLI::ValidationError("no mesh is given; name a project or --mesh FILE");
     if (project.samples.empty())
         throw CLI::ValidationError("no sample is given; name a project or --sample STRIP");
@@ -183,11 +193,11 @@ std::vector<project::Paint> preparePaints(const project::Project& project, const
 }
 
 scene::Scene readScene(const project::Project& project, const Task& task) {
-    const scene::Model model = scene::readModel(project.mesh, task);
-    checkObjectNames(project, model);
-    std::vector<std::shared_ptr<const scene::Mesh>> meshes;
-    for (const scene::Mesh& mesh : model.meshes) meshes.push_back(std::make_shared<const scene::Mesh>(mesh));
-    return project::makeScene(project, meshes);
+    std::vector<project::MeshList> models;
+    const double share = 1 / double(project.meshes.size());
+    for (std::size_t i = 0; i < project.meshes.size(); ++i)
+        models.push_back(readMeshes(project, i, task.part(share * double(i), share * double(i + 1))));
+    return project::makeScene(project, models);
 }
 
 LoadedProject loadProject(project::Project project, const Task& task) {
@@ -207,8 +217,10 @@ nlohmann::json paintParameters(const project::Project& project) {
 
 nlohmann::json sceneParameters(const project::Project& project) {
     nlohmann::json json{
-        {"mesh", project.mesh.filename().string()},
         {"camera", {project.camera.azimuth, project.camera.elevation, project.camera.distance}}};
+    for (const project::MeshFile& mesh : project.meshes)
+        json["meshes"].push_back(mesh.path.filename().string());
+    json.update(parametersToJson(project.occlusion));
     for (const scene::Light& light : project.lights)
         json["lights"].push_back({light.vector.x, light.vector.y, light.vector.z, light.intensity});
     return json;

@@ -45,7 +45,7 @@ struct LoadedProject {
 /// One paint a sample of the project, with what its method needs. Throws Error, Cancelled.
 std::vector<project::Paint> preparePaints(const project::Project& project, const Task& task);
 
-/// Reads the mesh and places its objects as the project says. Throws Error, Cancelled.
+/// Reads the meshes and places its objects as the project says. Throws Error, Cancelled.
 scene::Scene readScene(const project::Project& project, const Task& task = {});
 
 /// Reads mesh and samples and makes the paints. Throws Error, Cancelled.
@@ -53,7 +53,7 @@ LoadedProject loadProject(project::Project project, const Task& task);
 
 /// Method, samples and how they are laid on, for metadata.
 nlohmann::json paintParameters(const project::Project& project);
-/// Mesh, camera and lights, for metadata.
+/// Meshes, camera and lights, for metadata.
 nlohmann::json sceneParameters(const project::Project& project);
 
 /// "1280x720", each side 1..16384, 64 megapixels in all. Throws CLI::ValidationError.

@@ -65,7 +65,8 @@ struct RenderCommand {
     project::Project loadProjectFor(ProjectSource::Subject subject) const {
         project::Project project = source.load(subject);
         std::vector<std::filesystem::path> inputs = guide.inputs();
-        inputs.insert(inputs.end(), {project.mesh, source.path()});
+        inputs.push_back(source.path());
+        for (const project::MeshFile& mesh : project.meshes) inputs.push_back(mesh.path);
         for (const project::Sample& sample : project.samples) inputs.push_back(sample.scan);
         refuseOverwriting(inputs, {output});
         return project;

@@ -30,7 +30,7 @@ public:
     void undo() override { put(m_before); }
     void redo() override { put(m_after); }
 
-    int id() const override { return int(change().kind) * 4096 + change().index; }
+    int id() const override { return int(change().kind) << 20 | change().index; }
     bool mergeWith(const QUndoCommand* command) override {
         // The id tells the value and with it the type.
         const auto* next = static_cast<const ChangeValue*>(command);

@@ -148,6 +148,10 @@ void ViewPlanningDock::applyChange(Change change) {
     if (change.kind == Kind::Everything || change.kind == Kind::Views)
         m_form->setValues(views::ViewParams::table().values(m_document.project().views));
     if (change.kind == Kind::PlacedViews && change.index == m_object) showViews();
+    if (change.kind == Kind::Objects && m_objects->count() == int(m_document.project().objects.size()))
+        for (int object = 0; object < m_objects->count(); ++object)
+            m_objects->setItemText(
+                object, QString::fromStdString(m_document.project().objects[std::size_t(object)].name));
 }
 
 void ViewPlanningDock::showObjects() {

@@ -13,6 +13,9 @@ struct JobRunner::Job {
     JobSpec spec;
     std::stop_source stop;
     std::atomic<double> progress{0};
+    QElapsedTimer clock;
+
+    double seconds() const { return double(clock.elapsed()) / 1000; }
 };
 
 JobRunner::JobRunner(QObject* parent) : QObject(parent) {
@@ -32,6 +35,7 @@ int JobRunner::launch(JobSpec spec, Work work) {
     const int number = ++m_last;
     auto job = std::make_shared<Job>();
     job->spec = std::move(spec);
+    job->clock.start();
     m_jobs.emplace(number, job);
     m_pool.start([this, number, job, work = std::move(work)] {
         std::function<void()> done;
@@ -59,6 +63,7 @@ void JobRunner::finish(int number, const std::function<void()>& done, const QStr
     if (found == m_jobs.end()) return;  // cancelled or superseded meanwhile
     const std::shared_ptr<Job> job = found->second;
     m_jobs.erase(found);
+    tellEnd(number, *job, error.isEmpty() ? Ending::Kind::Done : Ending::Kind::Failed, error);
     if (!error.isEmpty()) {
         if (job->spec.failed)
             job->spec.failed(error);
@@ -70,6 +75,11 @@ void JobRunner::finish(int number, const std::function<void()>& done, const QStr
     ended();
 }
 
+void JobRunner::tellEnd(int number, const Job& job, Ending::Kind kind, const QString& reason) {
+    if (job.spec.isQuiet) return;
+    Q_EMIT jobEnded({number, job.spec.title, kind, reason, job.seconds()});
+}
+
 void JobRunner::ended() {
     Q_EMIT jobsChanged();
     if (!isIdle()) return;
@@ -79,7 +89,8 @@ void JobRunner::ended() {
 
 std::vector<JobRunner::JobInfo> JobRunner::jobs() const {
     std::vector<JobInfo> list;
-    for (const auto& [number, job] : m_jobs) list.push_back({number, job->spec.title, job->progress});
+    for (const auto& [number, job] : m_jobs)
+        if (!job->spec.isQuiet) list.push_back({number, job->spec.title, job->progress, job->seconds()});
     return list;
 }
 
@@ -89,11 +100,15 @@ bool JobRunner::isRunning(const QString& slot) const {
 }
 
 bool JobRunner::drop(const QString& slot) {
-    return std::erase_if(m_jobs, [&](const auto& job) {
-               if (job.second->spec.slot != slot) return false;
-               job.second->stop.request_stop();
-               return true;
-           }) > 0;
+    std::vector<std::pair<int, std::shared_ptr<Job>>> dropped;
+    for (const auto& [number, job] : m_jobs)
+        if (job->spec.slot == slot) dropped.emplace_back(number, job);
+    for (const auto& [number, job] : dropped) {
+        m_jobs.erase(number);
+        job->stop.request_stop();
+        tellEnd(number, *job, Ending::Kind::Superseded);
+    }
+    return !dropped.empty();
 }
 
 void JobRunner::supersede(const QString& slot) {
@@ -106,12 +121,13 @@ void JobRunner::cancel(int number) {
     const std::shared_ptr<Job> job = found->second;
     m_jobs.erase(found);
     job->stop.request_stop();
+    tellEnd(number, *job, Ending::Kind::Cancelled);
     if (job->spec.cancelled) job->spec.cancelled();
     ended();
 }
 
 void JobRunner::cancelAll() {
-    for (const JobInfo& job : jobs()) cancel(job.number);
+    while (!m_jobs.empty()) cancel(m_jobs.begin()->first);
 }
 
 }  // namespace chiaro::app

@@ -21,6 +21,7 @@ struct JobSpec {
     QString slot;   ///< starting a job stops the one of the same slot and drops its result; empty: its own
     std::function<void(const QString& message)> failed;  ///< without one the runner's failed() tells it
     std::function<void()> cancelled;                     ///< by the artist; never when it was superseded
+    bool isQuiet = false;  ///< short, and too frequent to be told of or cancelled: jobs() leaves it out
 };
 
 /// Runs work longer than a frame off the GUI thread.
@@ -50,8 +51,18 @@ public:
         int number = 0;
         QString title;
         double progress = 0;  ///< in [0, 1]
+        double seconds = 0;   ///< since it was started
     };
     std::vector<JobInfo> jobs() const;
+    /// How a job ended.
+    struct Ending {
+        enum class Kind { Done, Failed, Cancelled, Superseded };
+        int number = 0;
+        QString title;
+        Kind kind = Kind::Done;
+        QString reason;  ///< why it failed
+        double seconds = 0;
+    };
     bool isIdle() const { return m_jobs.empty(); }
     bool isRunning(const QString& slot) const;
 
@@ -64,6 +75,8 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void jobsChanged();
+    /// Before jobsChanged().
+    void jobEnded(const chiaro::app::JobRunner::Ending& ending);
     void progressed();  ///< some job's progress, at most every 50 ms
     void failed(const QString& message);
     void idle();  ///< the last job ended and started no other
@@ -78,6 +91,7 @@ private:
     bool drop(const QString& slot);
     void finish(int number, const std::function<void()>& done, const QString& error);
     void ended();
+    void tellEnd(int number, const Job& job, Ending::Kind kind, const QString& reason = {});
 
     QThreadPool m_pool;
     QTimer m_progressTimer;

@@ -26,7 +26,7 @@ void addChannel(Hasher& hasher, const scene::Channel& channel) {
 }
 
 void addPath(Hasher& hasher, const scene::Path& path) {
-    addNumbers(hasher, {path.cameraTurn, path.lightTurn, double(path.smooth)});
+    addNumbers(hasher, {path.cameraTurn, path.lightTurn, path.approach, double(path.smooth)});
     for (const scene::Channel* channel : {&path.azimuth, &path.elevation, &path.distance, &path.fieldOfView})
         addChannel(hasher, *channel);
     for (const auto& axes : {path.target, path.light})
@@ -41,7 +41,7 @@ void addView(Hasher& hasher, const scene::View& view) {
     for (const scene::Light& light : view.lights) {
         for (const float value : {light.vector.x, light.vector.y, light.vector.z, light.intensity})
             hasher.add(value);
-        hasher.add(light.wrap);
+        hasher.add(light.wrap).add(light.kind).add(light.visible);
     }
 }
 
@@ -51,6 +51,7 @@ std::uint64_t contentHash(const Shot& shot) {
     Hasher hasher;
     for (const scene::Object& object : shot.scene.objects) {
         hasher.add(object.visible).bytes(&object.transform, sizeof object.transform);
+        if (!object.mesh) continue;
         hasher.add(std::span(object.mesh->positions)).add(std::span(object.mesh->normals));
         hasher.add(std::span(object.mesh->triangles));
     }
@@ -58,6 +59,7 @@ std::uint64_t contentHash(const Shot& shot) {
         hasher.add(one.paint->strip.pixels())
             .add(one.paint->separation.texture.pixels())
             .add(std::span(one.paint->shown));
+    for (const double value : scene::OcclusionParams::table().values(shot.scene.occlusion)) hasher.add(value);
     addView(hasher, shot.view(1));
     addPath(hasher, shot.path);
     return hasher.value();

@@ -75,6 +75,25 @@ public:
         for (const Json& point : array(key)) points.push_back(vectorFrom<2>(point, key));
         return points;
     }
+    std::vector<std::string> texts(const char* key) const {
+        std::vector<std::string> texts;
+        for (const Json& text : array(key)) {
+            if (!text.is_string()) throw wrong(key, "a list of texts in quotes");
+            texts.push_back(text.get<std::string>());
+        }
+        return texts;
+    }
+    std::vector<int> integers(const char* key, int minimum, int maximum) const {
+        std::vector<int> integers;
+        for (const Json& one : array(key)) {
+            if (!one.is_number_integer()) throw wrong(key, "whole numbers");
+            integers.push_back(int(number(one, key, minimum, maximum)));
+        }
+        return integers;
+    }
+    void read(const char* key, double& value, double minimum, double maximum) const {
+        if (has(key)) value = number(at(key), key, minimum, maximum);
+    }
     template <class Params>
     void params(Params& params) const {
         parametersFromJson(nlohmann::json::parse(m_json.dump()), m_where, params);

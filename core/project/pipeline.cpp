@@ -1,6 +1,7 @@
 #include "core/project/pipeline.h"
 
 #include "core/base/hash.h"
+#include "core/project/objects.h"
 #include "core/project/render_method.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -38,20 +39,38 @@ Paint preparePaint(const Project& project, std::size_t sample, const Task& task)
     return preparePaint(project.samples[sample], project.levels, task);
 }
 
-scene::Scene makeScene(const Project& project,
-                       const std::vector<std::shared_ptr<const scene::Mesh>>& meshes) {
+namespace {
+
+std::shared_ptr<const scene::Mesh> meshNamed(const MeshList& model, const std::string& name) {
+    const auto found = std::ranges::find(model, name, [](const auto& mesh) { return mesh->name; });
+    return found == model.end() ? nullptr : *found;
+}
+
+glm::mat4 placeOf(const ObjectSettings& settings, const scene::Mesh* mesh) {
+    if (settings.placement == scene::Placement{} || !mesh) return settings.transform;
+    const glm::vec3 centre(settings.transform * glm::vec4(boundsOf(*mesh).center(), 1));
+    return settings.placement.matrix(centre) * settings.transform;
+}
+
+}  // namespace
+
+scene::Scene makeScene(const Project& project, const std::vector<MeshList>& models) {
+    ObjectNames names;
+    for (const MeshList& model : models) {
+        auto& ofFile = names.emplace_back();
+        for (const auto& mesh : model) ofFile.push_back(mesh->name);
+    }
     scene::Scene scene;
     scene.lights = project.lights;
-    for (const auto& mesh : meshes) {
-        scene::Object object{.name = mesh->name, .mesh = mesh};
-        const auto settings = std::find_if(project.objects.begin(), project.objects.end(),
-                                           [&](const ObjectSettings& one) { return one.name == mesh->name; });
-        if (settings != project.objects.end()) {
-            object.transform = settings->transform;
-            object.sample = settings->sample;
-            object.visible = settings->visible;
-        }
-        scene.objects.push_back(std::move(object));
+    scene.occlusion = project.occlusion;
+    for (const ObjectSettings& settings : allObjects(project, names)) {
+        scene::Object& object = scene.objects.emplace_back();
+        object.name = settings.name;
+        if (std::size_t(settings.mesh) < models.size())
+            object.mesh = meshNamed(models[std::size_t(settings.mesh)], settings.sourceName());
+        object.transform = placeOf(settings, object.mesh.get());
+        object.sample = settings.sample;
+        object.visible = settings.visible;
     }
     return scene;
 }
@@ -101,11 +120,14 @@ std::shared_ptr<const methods::PlannedObject> planObject(const Project& project,
 
 namespace {
 
+/// Raised whenever synthesizeViews makes other textures of the same: those kept on disk are then made again.
+constexpr int textureRecipe = 2;
+
 /// Names all that an object's textures are made from, the program that makes them included.
 std::uint64_t texturesKey(const methods::PlannedObject& planned,
                           const std::vector<synthesis::LevelSource>& sources, bool propagate) {
     Hasher hasher;
-    hasher.add(std::string_view(CHIARO_VERSION)).add(propagate);
+    hasher.add(std::string_view(CHIARO_VERSION)).add(textureRecipe).add(propagate);
     const scene::Mesh& mesh = planned.surface.mesh();
     hasher.add(std::span(mesh.positions)).add(std::span(mesh.triangles));
     for (const views::FaceGroup& group : planned.plan.groups) {
@@ -156,7 +178,7 @@ WornPaints wornPaints(const Project& project, const scene::Scene& scene, const s
         const scene::Object& object = scene.objects[i];
         Worn& one = worn.emplace_back(
             Worn{&paints[std::size_t(object.sample)], nullptr, glm::inverse(object.transform)});
-        if (!usesViews || !object.visible) continue;
+        if (!usesViews || !object.visible || !object.mesh) continue;
         auto& views = painted[{object.mesh.get(), object.sample, scaleOf(object)}];
         if (!views) {
             const Task part = task.part(share * double(i), share * double(i + 1));

@@ -41,9 +41,12 @@ Paint preparePaint(const Sample& sample, const synthesis::LevelParams& levels, c
 /// What the project's method needs of one of its samples. Throws Error, Cancelled.
 Paint preparePaint(const Project& project, std::size_t sample, const Task& task = {});
 
-/// The scene of a loaded model with the project's settings applied: objects are matched by name; those that
-/// the project does not name wear its first sample.
-scene::Scene makeScene(const Project& project, const std::vector<std::shared_ptr<const scene::Mesh>>& meshes);
+/// The meshes of a file, in their order there.
+using MeshList = std::vector<std::shared_ptr<const scene::Mesh>>;
+
+/// The scene of the loaded mesh files, one model each, with the project's settings applied; its objects are
+/// those of allObjects(). An object that its file doesn't have has no mesh.
+scene::Scene makeScene(const Project& project, const std::vector<MeshList>& models);
 
 /// The project's camera, aimed at the scene when the project says so.
 scene::Camera cameraFor(const Project& project, const scene::Scene& scene);

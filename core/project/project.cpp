@@ -3,6 +3,8 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/project/json_reader.h"
+#include "core/project/json_writer.h"
+#include "core/project/path_json.h"
 #include "core/project/render_method.h"
 
 #include <nlohmann/json.hpp>
@@ -16,18 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t largestFile = 64 << 20;
-
-/// The shortest decimal that reads back as this float: 0.1, not 0.10000000149.
-double tidy(float value) {
-    return std::stod(fmt::format("{}", value));
-}
-
-template <int N>
-Json jsonFromVector(const glm::vec<N, float>& vector) {
-    Json json = Json::array();
-    for (int i = 0; i < N; ++i) json.push_back(tidy(vector[i]));
-    return json;
-}
 
 template <class Params>
 Json jsonFromParams(const Params& params) {
@@ -53,13 +43,46 @@ Json jsonFromSample(const Sample& sample, const fs::path& folder) {
 }
 
 Json jsonFromObject(const ObjectSettings& object) {
-    Json json{{"name", object.name}, {"sample", object.sample}, {"visible", object.visible}};
+    Json json{{"name", object.name}};
+    if (object.sourceName() != object.name) json["source"] = object.source;
+    if (object.mesh != 0) json["mesh"] = object.mesh;
+    json["sample"] = object.sample;
+    json["visible"] = object.visible;
+    const scene::Placement unmoved, &placement = object.placement;
+    if (placement.position != unmoved.position) json["position"] = jsonFromVector(placement.position);
+    if (placement.rotation != unmoved.rotation) json["rotation"] = jsonFromVector(placement.rotation);
+    if (placement.scale != unmoved.scale) json["scale"] = jsonFromVector(placement.scale);
     for (const PlacedView& view : object.views)
         json["views"].push_back(
             {{"direction", jsonFromVector(view.direction)}, {"up", jsonFromVector(view.up)}});
     if (object.transform == glm::mat4(1)) return json;
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row) json["transform"].push_back(tidy(object.transform[column][row]));
+    return json;
+}
+
+Json jsonFromMesh(const MeshFile& mesh, const fs::path& folder) {
+    Json json{{"file", mesh.path.lexically_proximate(folder).generic_string()}};
+    if (!mesh.without.empty()) json["without"] = mesh.without;
+    return json;
+}
+
+Json jsonFromLight(const scene::Light& light) {
+    Json json;
+    if (!light.name.empty()) json["name"] = light.name;
+    json["kind"] = light.kind == scene::Light::Kind::Point ? "point" : "directional";
+    json["vector"] = jsonFromVector(light.vector);
+    json["intensity"] = tidy(light.intensity);
+    json["wrap"] = light.wrap;
+    if (!light.visible) json["visible"] = false;
+    return json;
+}
+
+Json jsonFromAnimation(const Animation& animation) {
+    Json json{{"frames", animation.frames},
+              {"range", {animation.firstFrame, animation.lastFrame}},
+              {"rate", animation.rate}};
+    json.update(jsonFromPath(animation.path));
     return json;
 }
 
@@ -117,11 +140,22 @@ Sample readSample(const JsonReader& reader, const fs::path& folder) {
     return sample;
 }
 
-ObjectSettings readObject(const JsonReader& reader, std::size_t samples) {
+void readPlacement(const JsonReader& reader, scene::Placement& placement) {
+    reader.read("position", placement.position);
+    reader.read("rotation", placement.rotation);
+    reader.read("scale", placement.scale);
+    const glm::vec3& scale = placement.scale;
+    if (scale.x * scale.y * scale.z == 0) throw reader.wrong("scale", "numbers that are not zero");
+}
+
+ObjectSettings readObject(const JsonReader& reader, const Project& project) {
     ObjectSettings object;
     object.name = reader.text("name");
-    reader.read("sample", object.sample, 0, int(samples) - 1);
+    if (reader.has("source")) object.source = reader.text("source");
+    reader.read("mesh", object.mesh, 0, int(project.meshes.size()) - 1);
+    reader.read("sample", object.sample, 0, int(project.samples.size()) - 1);
     reader.read("visible", object.visible);
+    readPlacement(reader, object.placement);
     reader.read("transform", object.transform);
     if (!reader.has("views")) return object;
     for (const JsonReader& child : reader.children("views")) {
@@ -134,15 +168,48 @@ ObjectSettings readObject(const JsonReader& reader, std::size_t samples) {
     return object;
 }
 
+std::vector<MeshFile> readMeshes(const JsonReader& reader, const fs::path& folder) {
+    const auto located = [&](const std::string& file) { return (folder / file).lexically_normal(); };
+    std::vector<MeshFile> meshes;
+    if (reader.has("mesh")) meshes.push_back({located(reader.text("mesh"))});  // version 1
+    if (!reader.has("meshes")) return meshes;
+    for (const JsonReader& child : reader.children("meshes")) {
+        MeshFile& mesh = meshes.emplace_back(MeshFile{located(child.text("file"))});
+        if (child.has("without")) mesh.without = child.texts("without");
+    }
+    return meshes;
+}
+
 scene::Light readLight(const JsonReader& reader) {
+    using Kind = scene::Light::Kind;
     scene::Light light;
-    if (reader.has("kind") && reader.text("kind") != "directional")
-        throw reader.wrong("kind", "\"directional\"");
+    const std::string kind = reader.has("kind") ? reader.text("kind") : "directional";
+    if (kind != "directional" && kind != "point") throw reader.wrong("kind", "\"directional\" or \"point\"");
+    light.kind = kind == "point" ? Kind::Point : Kind::Directional;
+    if (reader.has("name")) light.name = reader.text("name");
     reader.read("vector", light.vector);
-    if (glm::length(light.vector) == 0) throw reader.wrong("vector", "a direction that is not zero");
+    if (light.kind == Kind::Directional && glm::length(light.vector) == 0)
+        throw reader.wrong("vector", "a direction that is not zero");
     reader.read("intensity", light.intensity, 0, 4);
     reader.read("wrap", light.wrap);
+    reader.read("visible", light.visible);
     return light;
+}
+
+Animation readAnimation(const JsonReader& reader) {
+    Animation animation;
+    reader.read("frames", animation.frames, 1, 100'000);
+    animation.lastFrame = animation.frames;
+    if (reader.has("range")) {
+        const std::vector<int> range = reader.integers("range", 1, animation.frames);
+        if (range.size() != 2 || range[0] > range[1])
+            throw reader.wrong("range", "the first and the last frame");
+        animation.firstFrame = range[0];
+        animation.lastFrame = range[1];
+    }
+    reader.read("rate", animation.rate, 1, 240);
+    animation.path = pathFromJson(reader);
+    return animation;
 }
 
 std::string readMethod(const JsonReader& reader) {
@@ -176,14 +243,16 @@ Project projectFromJson(const Json& json, const fs::path& path) {
     Project project;
     for (const JsonReader& sample : reader.children("samples"))
         project.samples.push_back(readSample(sample, folder));
-    if (reader.has("mesh")) project.mesh = (folder / reader.text("mesh")).lexically_normal();
+    project.meshes = readMeshes(reader, folder);
     if (reader.has("objects"))
         for (const JsonReader& object : reader.children("objects"))
-            project.objects.push_back(readObject(object, project.samples.size()));
+            project.objects.push_back(readObject(object, project));
     if (reader.has("lights")) {
         project.lights.clear();
         for (const JsonReader& light : reader.children("lights")) project.lights.push_back(readLight(light));
     }
+    if (reader.has("occlusion")) reader.child("occlusion").params(project.occlusion);
+    if (reader.has("animation")) project.animation = readAnimation(reader.child("animation"));
     if (reader.has("camera")) readCamera(reader.child("camera"), project);
     if (reader.has("method")) project.method = readMethod(reader);
     if (reader.has("levels")) {
@@ -221,14 +290,12 @@ void writeProject(const fs::path& path, const Project& project) {
     json["chiaro"] = Project::version;
     json["samples"] = Json::array();
     for (const Sample& sample : project.samples) json["samples"].push_back(jsonFromSample(sample, folder));
-    if (!project.mesh.empty()) json["mesh"] = project.mesh.lexically_proximate(folder).generic_string();
+    for (const MeshFile& mesh : project.meshes) json["meshes"].push_back(jsonFromMesh(mesh, folder));
     for (const ObjectSettings& object : project.objects) json["objects"].push_back(jsonFromObject(object));
     json["lights"] = Json::array();
-    for (const scene::Light& light : project.lights)
-        json["lights"].push_back({{"kind", "directional"},
-                                  {"vector", jsonFromVector(light.vector)},
-                                  {"intensity", tidy(light.intensity)},
-                                  {"wrap", light.wrap}});
+    for (const scene::Light& light : project.lights) json["lights"].push_back(jsonFromLight(light));
+    json["occlusion"] = jsonFromParams(project.occlusion);
+    if (project.animation != Animation{}) json["animation"] = jsonFromAnimation(project.animation);
     json["camera"] = jsonFromCamera(project);
     json["method"] = project.method;
     json["levels"] = jsonFromParams(project.levels);

@@ -6,6 +6,8 @@
 #include "core/methods/view_aligned.h"
 #include "core/methods/view_dependent.h"
 #include "core/sample/strip.h"
+#include "core/scene/path.h"
+#include "core/scene/placement.h"
 #include "core/scene/scene.h"
 #include "core/synthesis/levels.h"
 
@@ -33,23 +35,48 @@ struct PlacedView {
     friend bool operator==(const PlacedView&, const PlacedView&) = default;
 };
 
-/// One object of a mesh file.
+/// One object of the scene: an object of one of the project's mesh files. Several may be of the same, each
+/// with a place and paint of its own.
 struct ObjectSettings {
-    std::string name;  ///< of the file's object that this is
-    int sample = 0;    ///< index into Project::samples
+    std::string name;         ///< for the artist; no two objects of a project have the same
+    std::string source = {};  ///< its name in the mesh file; empty: the same as `name`
+    int mesh = 0;             ///< index into Project::meshes
+    int sample = 0;           ///< index into Project::samples
     bool visible = true;
-    glm::mat4 transform{1};
+    scene::Placement placement = {};
+    glm::mat4 transform{1};              ///< before the placement; of projects that other programs wrote
     std::vector<PlacedView> views = {};  ///< placed by the artist
     friend bool operator==(const ObjectSettings&, const ObjectSettings&) = default;
+
+    const std::string& sourceName() const { return source.empty() ? name : source; }
+};
+
+/// A mesh file, and those of its objects that the artist took out of the scene.
+struct MeshFile {
+    std::filesystem::path path;             ///< absolute once loaded
+    std::vector<std::string> without = {};  ///< names in the file
+    friend bool operator==(const MeshFile&, const MeshFile&) = default;
+};
+
+/// What moves over a project's frames.
+struct Animation {
+    int frames = 48;        ///< 1..100000
+    int firstFrame = 1;     ///< of those that are rendered, 1..frames
+    int lastFrame = 48;     ///< from firstFrame to frames
+    double rate = 24;       ///< frames a second, 1..240
+    scene::Path path = {};  ///< nothing moves without keys and turns
+    friend bool operator==(const Animation&, const Animation&) = default;
 };
 
 /// What a .chiaro file holds: plain values. Derived data (strips, levels, meshes) is never in it.
 struct Project {
-    static constexpr int version = 1;
+    static constexpr int version = 2;  ///< 1 had a single mesh file
     std::vector<Sample> samples;
-    std::filesystem::path mesh;           ///< absolute once loaded; empty without a mesh
-    std::vector<ObjectSettings> objects;  ///< objects of the file that are not named here wear sample 0
+    std::vector<MeshFile> meshes;
+    std::vector<ObjectSettings> objects;  ///< objects of the files that are not named here wear sample 0
     std::vector<scene::Light> lights{scene::Light{}};
+    scene::OcclusionParams occlusion;
+    Animation animation;
     bool frameCamera = true;  ///< aim the camera at the whole scene when it is opened; its target and radius
                               ///< are then not saved
     scene::Camera camera;

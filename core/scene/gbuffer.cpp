@@ -1,6 +1,6 @@
 #include "core/scene/gbuffer.h"
 
-#include "core/scene/ray_scene.h"
+#include "core/scene/occlusion.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -18,16 +18,19 @@ constexpr int tileSize = 32;
 struct Probe {
     Hit hit;
     glm::vec3 point{0};
-    float light = -1;
+    glm::vec3 normal{0};
+    float light = -1;  ///< without ambient occlusion, whose changes are never sudden on one surface
 };
 
 /// Casts one view into a G-buffer.
 class GBufferCaster {
 public:
-    GBufferCaster(const RayCaster& caster, const std::vector<Light>& lights, GBuffer& gbuffer)
-        : m_caster(caster), m_lights(lights), m_gbuffer(gbuffer), m_isEdge(gbuffer.width, gbuffer.height, 0) {
-        for (Light& light : m_lights) light.vector = glm::normalize(light.vector);
-    }
+    GBufferCaster(const RayCaster& caster, const OcclusionCaster& occlusion, GBuffer& gbuffer)
+        : m_caster(caster),
+          m_occlusion(occlusion),
+          m_gbuffer(gbuffer),
+          m_isEdge(gbuffer.width, gbuffer.height, 0),
+          m_openness(gbuffer.width, gbuffer.height, 1) {}
 
     void castCentres(const Task& task) {
         const int columns = (m_gbuffer.width + tileSize - 1) / tileSize;
@@ -93,25 +96,35 @@ private:
     }
 
     Probe lit(const Hit& hit, glm::vec2 position) const {
-        Probe probe{hit, {}, -1};
+        Probe probe{hit, {}, {}, -1};
         if (hit.object == 0) return probe;
         probe.point = m_caster.pointAt(position, hit.depth);
-        probe.light = lightAt(hit, position, probe.point);
+        probe.normal = m_caster.normal(hit, position);
+        probe.light = m_occlusion.light({probe.point, probe.normal, hit.faceNormal});
         return probe;
     }
 
-    float lightAt(const Hit& hit, glm::vec2 position, glm::vec3 point) const {
-        return lightValue(m_lights, point, m_caster.normal(hit, position));
+    float openness(const Probe& probe) const {
+        return m_occlusion.openness({probe.point, probe.normal, probe.hit.faceNormal});
+    }
+
+    /// Of a sample of an edge pixel: that of the pixel's centre where it lies on the same piece of surface.
+    float openness(const Probe& sample, int x, int y) const {
+        const float depth = m_gbuffer.depth(x, y);
+        const bool isSame = sample.hit.object == m_gbuffer.objectId(x, y) &&
+                            glm::dot(sample.normal, m_gbuffer.normal(x, y)) > 0.95f &&
+                            std::abs(sample.hit.depth - depth) < 4 * m_caster.pixelSize() * depth;
+        return isSame ? m_openness(x, y) : openness(sample);
     }
 
     void store(const Probe& centre, int x, int y) {
-        m_gbuffer.light(x, y) = centre.light;
+        if (centre.hit.object != 0) m_openness(x, y) = openness(centre);
+        m_gbuffer.light(x, y) = centre.hit.object == 0 ? -1 : centre.light * m_openness(x, y);
         m_gbuffer.objectId(x, y) = centre.hit.object;
         m_gbuffer.faceId(x, y) = centre.hit.face;
         m_gbuffer.barycentrics(x, y) = centre.hit.barycentrics;
         m_gbuffer.depth(x, y) = centre.hit.depth;
-        if (centre.hit.object != 0)
-            m_gbuffer.normal(x, y) = m_caster.normal(centre.hit, glm::vec2(x, y) + 0.5f);
+        m_gbuffer.normal(x, y) = centre.normal;
     }
 
     /// True when an edge that shows runs between two points of a pixel: another object, a jump in light, or a
@@ -148,8 +161,9 @@ private:
         static constexpr std::array<int, packetSize> reversed{0, 8, 4, 12, 2, 10, 6, 14,
                                                               1, 9, 5, 13, 3, 11, 7, 15};
         const std::uint32_t pixel = m_gbuffer.edgePixels[index];
-        const glm::vec2 corner(pixel % std::uint32_t(m_gbuffer.width),
-                               pixel / std::uint32_t(m_gbuffer.width));
+        const int x = int(pixel % std::uint32_t(m_gbuffer.width));
+        const int y = int(pixel / std::uint32_t(m_gbuffer.width));
+        const glm::vec2 corner(x, y);
         std::array<glm::vec2, packetSize> positions;
         std::array<Hit, packetSize> hits;
         for (int i = 0; i < packetSize; ++i)
@@ -158,16 +172,18 @@ private:
         m_caster.cast(positions, hits);
         for (std::size_t i = 0; i < packetSize; ++i) {
             const Probe sample = lit(hits[i], positions[i]);
-            m_gbuffer.edgeSamples[index * packetSize + i] = {sample.hit.object, std::max(sample.light, 0.0f)};
+            const float light = sample.hit.object == 0 ? 0 : sample.light * openness(sample, x, y);
+            m_gbuffer.edgeSamples[index * packetSize + i] = {sample.hit.object, light};
         }
     }
 
     static_assert(GBuffer::samplesPerEdge == packetSize);
 
     const RayCaster& m_caster;
-    std::vector<Light> m_lights;
+    const OcclusionCaster& m_occlusion;
     GBuffer& m_gbuffer;
     Image<std::uint8_t> m_isEdge;
+    ScalarImage m_openness;  ///< what ambient occlusion leaves of L at the centres
 };
 
 }  // namespace
@@ -185,7 +201,8 @@ GBuffer castGBuffer(const RayScene& rays, const std::vector<Light>& lights, cons
     gbuffer.depth = ScalarImage(width, height, std::numeric_limits<float>::infinity());
     gbuffer.normal = ColorImage(width, height, glm::vec3(0));
     const RayCaster caster(rays.impl(), camera, width, height);
-    GBufferCaster cast(caster, lights, gbuffer);
+    const OcclusionCaster occlusion(rays.impl(), rays.occlusion(), lights);
+    GBufferCaster cast(caster, occlusion, gbuffer);
     cast.castCentres(task.part(0, 0.6));
     cast.castEdges(task.part(0.6, 1));
     return gbuffer;

@@ -45,20 +45,23 @@ public:
     /// Objects that are not visible are left out; ids count them nevertheless. Throws Cancelled; Error when
     /// there is not enough memory.
     explicit RayScene(const Scene& scene, const Task& task = {});
-    ~RayScene();
-    RayScene(RayScene&&) noexcept;
-    RayScene& operator=(RayScene&&) noexcept;
+    /// The same surfaces, which keep this from each other of the light; costs nothing.
+    RayScene with(const OcclusionParams& occlusion) const;
+
+    /// At first those of the scene that it was built from.
+    const OcclusionParams& occlusion() const { return m_occlusion; }
 
     struct Impl;
     const Impl& impl() const { return *m_impl; }
 
 private:
-    std::unique_ptr<Impl> m_impl;
+    std::shared_ptr<const Impl> m_impl;
+    OcclusionParams m_occlusion;
 };
 
 /// Casts the G-buffer of a view, 1..16384 pixels a side, tiles in parallel; the bytes do not depend on the
-/// threads. Lights may differ from those the RayScene was built with. A back side is lit with the flipped
-/// normal. Throws Cancelled.
+/// threads. Lights may differ from those the RayScene was built with; shadows and ambient occlusion are
+/// the RayScene's. A back side is lit with the flipped normal. Throws Cancelled.
 GBuffer castGBuffer(const RayScene& rays, const std::vector<Light>& lights, const Camera& camera, int width,
                     int height, const Task& task = {});
 

@@ -106,15 +106,18 @@ RayScene::Impl::~Impl() {
     rtcReleaseDevice(device);
 }
 
-RayScene::RayScene(const Scene& scene, const Task& task) : m_impl(std::make_unique<Impl>(scene, task)) {
+RayScene::RayScene(const Scene& scene, const Task& task)
+    : m_impl(std::make_shared<const Impl>(scene, task)), m_occlusion(scene.occlusion) {
     task.checkpoint();
     if (const RTCError error = rtcGetDeviceError(m_impl->device); error != RTC_ERROR_NONE)
         throw Error("mesh", "is too large to be prepared for drawing", "a smaller one would fit in memory");
 }
 
-RayScene::~RayScene() = default;
-RayScene::RayScene(RayScene&&) noexcept = default;
-RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+RayScene RayScene::with(const OcclusionParams& occlusion) const {
+    RayScene other(*this);
+    other.m_occlusion = occlusion;
+    return other;
+}
 
 RayCaster::RayCaster(const RayScene::Impl& rays, const Camera& camera, int width, int height)
     : m_rays(rays),

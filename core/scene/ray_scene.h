@@ -17,6 +17,8 @@ struct RayObject {
 struct RayScene::Impl {
     explicit Impl(const Scene& scene, const Task& task);
     ~Impl();
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
 
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;

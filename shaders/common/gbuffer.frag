@@ -3,6 +3,7 @@
 #include "common/light.glsl"
 
 centroid in vec3 worldNormal;
+centroid in vec3 worldPosition;
 
 uniform vec2 objectId;  // low and high byte, each 0..255; 0 0 is nothing
 
@@ -15,7 +16,7 @@ layout(location = 1) out vec4 face;  // the triangle's number in its mesh, four 
 void main() {
     // Back sides are lit with the flipped normal.
     vec3 normal = normalize(gl_FrontFacing ? worldNormal : -worldNormal);
-    float light = floor(lightValue(normal) * 65535.0 + 0.5);
+    float light = floor(lightValue(worldPosition, normal) * 65535.0 + 0.5);
     float high = floor(light / 256.0);
     surface = vec4(high, light - 256.0 * high, objectId) / 255.0;
 #if FACES

@@ -10,10 +10,23 @@ uniform vec4 wrappedLight;
 uniform vec3 hardLights[HARD_LIGHTS];
 #endif
 
-float lightValue(vec3 normal) {
+// The lights at a point: where they stand, and what each gives at a right angle and at an angle of 0 besides.
+#if POINT_LIGHTS > 0
+uniform vec3 pointLights[POINT_LIGHTS];
+uniform vec2 pointShine[POINT_LIGHTS];
+#endif
+
+float lightValue(vec3 position, vec3 normal) {
     float sum = dot(normal, wrappedLight.xyz) + wrappedLight.w;
 #if HARD_LIGHTS > 0
     for (int i = 0; i < HARD_LIGHTS; ++i) sum += max(dot(normal, hardLights[i]), 0.0);
+#endif
+#if POINT_LIGHTS > 0
+    for (int i = 0; i < POINT_LIGHTS; ++i) {
+        vec3 way = pointLights[i] - position;
+        float cosine = dot(normal, way) * inversesqrt(max(dot(way, way), 1e-30));
+        sum += max(pointShine[i].x + pointShine[i].y * cosine, 0.0);
+    }
 #endif
     return clamp(sum, 0.0, 1.0);
 }

@@ -1,6 +1,9 @@
+#include "core/base/random.h"
 #include "tests/app/app_support.h"
 
 #include <QtTest>
+
+#include <set>
 
 using namespace chiaro;
 using app::Change;
@@ -13,7 +16,7 @@ project::Project twoSamples() {
     project.samples.resize(2);
     project.samples[0].name = "oil";
     project.samples[1].name = "chalk";
-    project.mesh = "/meshes/head.obj";
+    project.meshes = {{"/meshes/head.obj"}};
     project.objects.resize(2);
     project.objects[0].name = "skull";
     project.objects[1].name = "jaw";
@@ -21,7 +24,7 @@ project::Project twoSamples() {
     return project;
 }
 
-const std::vector<std::string> objectNames{"skull", "jaw"};
+const project::ObjectNames objectNames{{"skull", "jaw"}};
 
 gradient::ColorPath pathTo(glm::vec3 color) {
     return {{{0, glm::vec3(0)}, {1, color}}, gradient::ColorPath::Space::Rgb};
@@ -141,6 +144,64 @@ private Q_SLOTS:
         QCOMPARE(test::withoutCamera(document.project()), after);
     }
 
+    void anyEditsOfTheSceneAreUndoneToTheLast() {
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+            Document document;
+            document.replace(twoSamples(), {}, objectNames);
+            const auto before = document.project();
+            Random random(seed);
+            const auto below = [&](std::size_t count) { return int(random.uniform() * double(count)); };
+            for (int step = 0; step < 200; ++step) {
+                auto objects = document.project().objects;
+                auto lights = document.project().lights;
+                const int object = objects.empty() ? -1 : below(objects.size());
+                switch (object < 0 ? 0 : below(9)) {
+                    case 0:
+                        document.addMesh("/meshes/more.obj", {"skull", "hat"}, below(2));
+                        break;
+                    case 1:
+                        document.removeObjects({object});
+                        break;
+                    case 2:
+                        document.duplicateObjects({object});
+                        break;
+                    case 3:
+                        objects[std::size_t(object)].name = random.uniform() < 0.5 ? "jaw" : "eye";
+                        document.editObjects(objects, "rename");
+                        break;
+                    case 4:
+                        objects[std::size_t(object)].placement.position.x = float(random.uniform());
+                        document.editObjects(objects, "move");
+                        break;
+                    case 5:
+                        lights.push_back({.vector = {float(random.uniform()), 1, 0}});
+                        document.editLights(lights, "add");
+                        break;
+                    case 6:
+                        if (!lights.empty()) lights.pop_back();
+                        document.editLights(lights, "remove");
+                        break;
+                    case 7:
+                        document.addView(object, {{1, 0, 0}, {0, 1, 0}});
+                        break;
+                    default:
+                        if (document.undoStack().canUndo()) document.undoStack().undo();
+                }
+                if (random.uniform() < 0.7) document.finishEdit();
+                // Whatever was done, it can be saved and read again.
+                std::set<std::string> names;
+                for (const auto& one : document.project().objects) {
+                    QVERIFY(names.insert(one.name).second);
+                    QVERIFY(one.mesh >= 0 && one.mesh < int(document.project().meshes.size()));
+                    QVERIFY(one.sample >= 0 && one.sample < int(document.project().samples.size()));
+                }
+            }
+            QVERIFY(document.project() != before);
+            while (document.undoStack().canUndo()) document.undoStack().undo();
+            QCOMPARE(document.project(), before);
+        }
+    }
+
     void aNewSampleIsWornInsteadOfTheSelectedOne() {
         Document document;
         document.replace(twoSamples(), {}, objectNames);
@@ -156,12 +217,13 @@ private Q_SLOTS:
         project::Project project = twoSamples();
         project.objects.clear();
         document.replace(project, {}, objectNames);
+        QCOMPARE(document.project().objects.size(), 2U);
+        QVERIFY(!document.isModified());
         QVERIFY(document.isWorn(0));
         document.addSample({}, 0);
-        QCOMPARE(document.project().objects.size(), 2U);
         QVERIFY(!document.isWorn(0));
         document.undoStack().undo();
-        QVERIFY(document.project().objects.empty());
+        QVERIFY(document.isWorn(0));
     }
 
     void removingASampleRedressesItsObjects() {
@@ -180,7 +242,7 @@ private Q_SLOTS:
         QVERIFY(!document.isWorn(1));
         document.undoStack().undo();
         QVERIFY(document.isWorn(1));
-        QCOMPARE(document.project().mesh, std::filesystem::path("/meshes/head.obj"));
+        QCOMPARE(document.project().meshes, std::vector<project::MeshFile>{{"/meshes/head.obj"}});
     }
 
     void lookingAroundIsNoEdit() {

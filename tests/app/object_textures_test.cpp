@@ -202,7 +202,7 @@ private Q_SLOTS:
         project::Project project = studio.document.project();
         project.method = "view-dependent";
         project.objects = {{.name = "tetrahedron", .visible = false}};
-        studio.document.replace(project, {}, {"tetrahedron"});
+        studio.document.replace(project, {}, {{"tetrahedron"}});
         QVERIFY(studio.settle());
         QCOMPARE(studio.objectTextures.synthesisCount(), 0);
         QVERIFY(studio.objectTextures.isFinal());

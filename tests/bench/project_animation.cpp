@@ -25,10 +25,11 @@ struct Stage {
         project.method = "image-based";
         project.samples.push_back(
             {.name = "oil", .scan = demo / "samples/oil.png", .strip = {}, .gradient = {}, .recoloring = {}});
-        std::vector<std::shared_ptr<const scene::Mesh>> meshes;
-        for (const scene::Mesh& mesh : scene::readModel(demo / "meshes/skull.glb").meshes)
+        project.meshes = {{demo / "meshes/skull.glb"}};
+        project::MeshList meshes;
+        for (const scene::Mesh& mesh : scene::readModel(project.meshes[0].path).meshes)
             meshes.push_back(std::make_shared<const scene::Mesh>(mesh));
-        scene = project::makeScene(project, meshes);
+        scene = project::makeScene(project, {meshes});
         paints.push_back(project::preparePaint(project, 0));
         worn = project::wornPaints(project, scene, paints);
     }

@@ -31,14 +31,14 @@ class DemoRender : public testing::TestWithParam<Render> {};
 
 ColorImage paint(const Render& render) {
     project::Project project;
-    project.mesh = resource(std::string("demo/meshes/") + render.mesh);
+    project.meshes = {{resource(std::string("demo/meshes/") + render.mesh)}};
     project.samples.emplace_back().scan = resource(std::string("demo/samples/") + render.sample);
     project.method = render.method;
     project.levels.size = project.views.size = 256;
-    std::vector<std::shared_ptr<const scene::Mesh>> meshes;
-    for (const scene::Mesh& mesh : scene::readModel(project.mesh).meshes)
+    project::MeshList meshes;
+    for (const scene::Mesh& mesh : scene::readModel(project.meshes[0].path).meshes)
         meshes.push_back(std::make_shared<const scene::Mesh>(mesh));
-    const scene::Scene scene = project::makeScene(project, meshes);
+    const scene::Scene scene = project::makeScene(project, {meshes});
     const scene::GBuffer gbuffer = scene::castGBuffer(scene::RayScene(scene), scene.lights,
                                                       project::cameraFor(project, scene), 320, 320);
     const std::vector<project::Paint> made{project::preparePaint(project, 0)};
@@ -68,22 +68,20 @@ TEST_P(DemoRender, LooksAsItDid) {
     EXPECT_LE(difference, largestMeanDifference) << "the picture was kept as " << fs::absolute(file);
 }
 
-INSTANTIATE_TEST_SUITE_P(Demo, DemoRender,
-                         testing::Values(Render{"skull_oil", "skull.glb", "oil.png"},
-                                         Render{"skull_charcoal", "skull.glb", "charcoal.png"},
-                                         Render{"skull_hatching", "skull.glb", "hatching.png"},
-                                         Render{"still_life_pastel", "still_life.obj", "pastel.png"},
-                                         Render{"shell_watercolour", "shell.ply", "watercolour.png"},
-                                         Render{"shell_impasto", "shell.ply", "impasto.png"},
-                                         Render{"skull_oil_image_based", "skull.glb", "oil.png",
-                                                "image-based"},
-                                         Render{"still_life_hatching_image_based", "still_life.obj",
-                                                "hatching.png", "image-based"},
-                                         Render{"skull_charcoal_view_dependent", "skull.glb", "charcoal.png",
-                                                "view-dependent"},
-                                         Render{"shell_oil_view_dependent", "shell.ply", "oil.png",
-                                                "view-dependent"}),
-                         [](const auto& render) { return std::string(render.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Demo, DemoRender,
+    testing::Values(Render{"skull_oil", "skull.glb", "oil.png"},
+                    Render{"skull_charcoal", "skull.glb", "charcoal.png"},
+                    Render{"skull_hatching", "skull.glb", "hatching.png"},
+                    Render{"still_life_pastel", "still_life.obj", "pastel.png"},
+                    Render{"shell_watercolour", "shell.ply", "watercolour.png"},
+                    Render{"shell_impasto", "shell.ply", "impasto.png"},
+                    Render{"skull_oil_image_based", "skull.glb", "oil.png", "image-based"},
+                    Render{"still_life_hatching_image_based", "still_life.obj", "hatching.png",
+                           "image-based"},
+                    Render{"skull_charcoal_view_dependent", "skull.glb", "charcoal.png", "view-dependent"},
+                    Render{"shell_oil_view_dependent", "shell.ply", "oil.png", "view-dependent"}),
+    [](const auto& render) { return std::string(render.param.name); });
 
 }  // namespace
 }  // namespace chiaro::test

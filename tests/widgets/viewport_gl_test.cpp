@@ -61,6 +61,8 @@ private Q_SLOTS:
     void wheelZooms();
     void shiftRightDragTurnsTheLight();
     void lightSphereTurnsTheLight();
+    void dragsTurnTheChosenLightAroundTheTarget();
+    void shadowsAreDrawnByTheCpu();
     void keysFrame();
     void anotherContextGivesTheSamePicture();
     void sameObjectKeepsItsPlacement();
@@ -159,6 +161,7 @@ void ViewportGlTest::drawsWhatTheCpuDraws_data() {
     QTest::newRow("square from behind") << "square" << 1.0 << 1.1f << 160.0f;
     QTest::newRow("mirrored") << "mirrored" << 1.0 << 1.1f << 20.0f;
     QTest::newRow("two paints") << "two" << 1.0 << 1.0f << 30.0f;
+    QTest::newRow("lights at points") << "points" << 1.0 << 1.0f << 30.0f;
 }
 
 void ViewportGlTest::drawsWhatTheCpuDraws() {
@@ -176,6 +179,13 @@ void ViewportGlTest::drawsWhatTheCpuDraws() {
         scene.objects[1].transform[3] = {0.7f, 0.5f, 0.8f, 1};
         scene.lights = {{.vector = {1, 0, 0.3f}, .intensity = 0.6f},
                         {.vector = {-1, 2, 1}, .intensity = 0.8f, .wrap = false}};
+    }
+    if (mesh == "points") {
+        scene.objects[0].transform[3] = {0.1f, -0.2f, 0, 1};
+        scene.lights = {{.kind = scene::Light::Kind::Point, .vector = {1.5f, 1, 2}, .intensity = 0.7f},
+                        {.kind = scene::Light::Kind::Point, .vector = {-2, 0.5f, 1}, .wrap = false},
+                        {.vector = {0, 1, 0}, .visible = false},
+                        {.vector = {0, 1, 0.5f}, .intensity = 0.2f, .wrap = false}};
     }
     m_params.density = density;
     scene::Camera camera;
@@ -616,6 +626,50 @@ void ViewportGlTest::lightSphereTurnsTheLight() {
     // A click on the middle puts the light behind the eye.
     const auto vector = glm::normalize(edited.at(0).at(1).value<glm::vec3>());
     QVERIFY(glm::dot(vector, m_viewport->camera().basis()[2]) > 0.99f);
+}
+
+void ViewportGlTest::dragsTurnTheChosenLightAroundTheTarget() {
+    scene::Scene scene = test::sceneOf(test::sphereMesh());
+    scene.lights = {{}, {.kind = scene::Light::Kind::Point, .vector = {10, 0, 3}}};
+    show(scene);
+    scene::Camera camera = m_viewport->camera();
+    camera.target = {10, 0, 0};
+    m_viewport->setCamera(camera);
+    m_viewport->setTurnedLight(1);
+    QSignalSpy edited(m_viewport.get(), &Viewport::lightEdited);
+    drag(centre(), {40, 10}, Qt::RightButton, Qt::ShiftModifier);
+    QVERIFY(!edited.isEmpty());
+    QCOMPARE(edited.last().at(0).toInt(), 1);
+    const auto moved = edited.last().at(1).value<glm::vec3>();
+    QVERIFY(moved != scene.lights[1].vector);
+    QVERIFY(std::abs(glm::distance(moved, camera.target) - 3) < 1e-4f);
+    m_viewport->setTurnedLight(7);  // there is none
+    edited.clear();
+    drag(centre(), {40, 10}, Qt::RightButton, Qt::ShiftModifier);
+    QVERIFY(edited.isEmpty());
+}
+
+void ViewportGlTest::shadowsAreDrawnByTheCpu() {
+    scene::Scene scene = test::sceneOf(test::sphereMesh());
+    scene.objects.push_back(test::sceneOf(test::squareMesh(), "wall").objects[0]);
+    scene.objects[1].transform = glm::mat4(glm::mat3(3));
+    scene.objects[1].transform[3] = {0, 0, -1.5f, 1};
+    scene.lights = {{.vector = {0.5f, 0.3f, 1}, .wrap = false}};
+    show(scene);
+    QVERIFY(m_viewport->usesOpenGl());
+    const QImage open = m_viewport->picture();
+    scene.occlusion.shadows = true;
+    m_viewport->setScene(scene);
+    QVERIFY(!m_viewport->usesOpenGl());
+    const auto* note = m_viewport->findChild<QLabel*>();
+    QVERIFY(note && note->isVisible() && note->text().contains("Shadows"));
+    QVERIFY(differenceFromCpu(scene) < 0.5);
+    QVERIFY(m_viewport->picture() != open);
+    scene.occlusion.shadows = false;
+    m_viewport->setScene(scene);
+    QVERIFY(m_viewport->usesOpenGl());
+    QVERIFY(!note->isVisible());
+    QCOMPARE(m_viewport->picture(), open);
 }
 
 void ViewportGlTest::keysFrame() {

@@ -8,11 +8,18 @@ namespace chiaro::widgets {
 
 namespace {
 
-constexpr int maximumHardLights = 16;
+constexpr int maximumLights = 16;  ///< of each kind that the shader loops over
 
-int hardLightsOf(const std::vector<scene::Light>& lights) {
-    const auto hard = std::ranges::count_if(lights, [](const scene::Light& light) { return !light.wrap; });
-    return std::min(int(hard), maximumHardLights);
+bool isPoint(const scene::Light& light) {
+    return light.visible && light.kind == scene::Light::Kind::Point;
+}
+
+bool isHard(const scene::Light& light) {
+    return light.visible && light.kind == scene::Light::Kind::Directional && !light.wrap;
+}
+
+int countOf(const std::vector<scene::Light>& lights, bool (*counts)(const scene::Light&)) {
+    return std::min(int(std::ranges::count_if(lights, counts)), maximumLights);
 }
 
 void drawObject(Gl& gl, QOpenGLShaderProgram& program, const GlMeshes::Buffers& buffers,
@@ -21,6 +28,7 @@ void drawObject(Gl& gl, QOpenGLShaderProgram& program, const GlMeshes::Buffers& 
     program.setUniformValue("objectToClip", qtMatrix(worldToClip * object.transform));
     program.setUniformValue(
         "normalToWorld", qtMatrix(glm::mat4(glm::transpose(glm::inverse(linear)))).toGenericMatrix<3, 3>());
+    program.setUniformValue("objectToWorld", qtMatrix(object.transform));
     program.setUniformValue("objectId", QVector2D(float(id % 256), float(id / 256)));
     // A mirroring transform turns the triangles around; their front sides stay what they were.
     gl.glFrontFace(glm::determinant(linear) < 0 ? GL_CW : GL_CCW);
@@ -72,22 +80,33 @@ QOpenGLShaderProgram* GlGBuffer::programFor(const Variant& variant) {
     const auto [entry, isNew] = m_programs.try_emplace(variant);
     if (isNew)
         entry->second = makeProgram("common/gbuffer.vert", "common/gbuffer.frag",
-                                    {{"HARD_LIGHTS", variant.hardLights}, {"FACES", variant.withFaces}});
+                                    {{"HARD_LIGHTS", variant.hardLights},
+                                     {"POINT_LIGHTS", variant.pointLights},
+                                     {"FACES", variant.withFaces}});
     return entry->second.get();
 }
 
 void GlGBuffer::setLights(QOpenGLShaderProgram& program, const std::vector<scene::Light>& lights) {
     glm::vec4 wrapped(0);
-    std::vector<QVector3D> hard;
+    std::vector<QVector3D> hard, points;
+    std::vector<QVector2D> shine;
     for (const scene::Light& light : lights) {
+        if (isPoint(light) && int(points.size()) < maximumLights) {
+            points.emplace_back(light.vector.x, light.vector.y, light.vector.z);
+            shine.emplace_back(light.shine(0), light.shine(1) - light.shine(0));
+        }
+        if (!light.visible || light.kind != scene::Light::Kind::Directional) continue;
         const glm::vec3 shone = glm::normalize(light.vector) * light.intensity;
         if (light.wrap)
             wrapped += glm::vec4(shone, light.intensity) * 0.5f;
-        else if (int(hard.size()) < maximumHardLights)
+        else if (int(hard.size()) < maximumLights)
             hard.emplace_back(shone.x, shone.y, shone.z);
     }
     program.setUniformValue("wrappedLight", wrapped.x, wrapped.y, wrapped.z, wrapped.w);
     if (!hard.empty()) program.setUniformValueArray("hardLights", hard.data(), int(hard.size()));
+    if (points.empty()) return;
+    program.setUniformValueArray("pointLights", points.data(), int(points.size()));
+    program.setUniformValueArray("pointShine", shine.data(), int(shine.size()));
 }
 
 std::vector<QRect> GlGBuffer::draw(Gl& gl, const ViewState& state, std::span<const std::size_t> objects,
@@ -107,7 +126,8 @@ std::vector<QRect> GlGBuffer::draw(Gl& gl, const ViewState& state, std::span<con
     gl.glDepthMask(GL_TRUE);
     gl.glClearColor(0, 0, 0, 0);
     gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    QOpenGLShaderProgram* program = programFor({hardLightsOf(scene.lights), withFaces});
+    QOpenGLShaderProgram* program =
+        programFor({countOf(scene.lights, isHard), countOf(scene.lights, isPoint), withFaces});
     if (!program) return std::vector<QRect>(objects.size());
     program->bind();
     setLights(*program, scene.lights);

@@ -34,6 +34,7 @@ private:
     /// What the shader is compiled for.
     struct Variant {
         int hardLights = 0;
+        int pointLights = 0;
         bool withFaces = false;
         auto operator<=>(const Variant&) const = default;
     };

@@ -43,7 +43,10 @@ QImage LightSphere::rendered(int side) const {
             const float coverage = std::clamp((1 - length) * radius, 0.0f, 1.0f);
             if (coverage == 0) continue;
             const float depth = std::sqrt(std::max(0.0f, 1 - length * length));
-            const float light = scene::lightValue(m_lights, {}, basis * glm::vec3(at, depth));
+            const glm::vec3 normal = basis * glm::vec3(at, depth);
+            // It stands for the scene: lights at a point are as near as they are there.
+            const float light =
+                scene::lightValue(m_lights, m_camera.target + normal * m_camera.radius, normal);
             const glm::vec4 color(gradient::lookUp(m_gradient, light), 1);
             const glm::ivec4 bytes(color * (coverage * 255) + 0.5f);
             row[x] = qRgba(bytes.r, bytes.g, bytes.b, bytes.a);

@@ -10,6 +10,7 @@
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
+#include <QPointer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -23,19 +24,26 @@ struct Viewport::Impl {
     Viewport& widget;
     ViewState state;
     Navigation navigation = Navigation::Blender;
-    GlView* glView = nullptr;    ///< either this
-    CpuView* cpuView = nullptr;  ///< or this
+    GlView* glView = nullptr;    ///< null without OpenGL
+    CpuView* cpuView = nullptr;  ///< null until it is needed
     LightSphere* sphere = nullptr;
     QLabel* note = nullptr;
+    std::vector<QPointer<QWidget>> overlays;
 
     Gesture gesture = Gesture::None;
     Qt::MouseButton button = Qt::NoButton;  ///< whose drag it is
     QPointF pressed;
     QPointF last;
     bool lightTurned = false;
+    int light = 0;  ///< that drags turn
 
+    bool showsByCpu() const { return !glView || !state.scene().occlusion.isOff(); }
+    const scene::Light* turnedLight() const;
+    glm::vec3 wayToLight() const;
+    glm::vec3 vectorFor(glm::vec3 way) const;
     void showByOpenGl();
     void showByCpu();
+    void chooseView();
     void refresh();
     void placeOverlays();
 
@@ -54,31 +62,67 @@ void Viewport::Impl::showByOpenGl() {
     connect(glView, &GlView::failed, &widget, [this] {
         glView->deleteLater();
         glView = nullptr;
-        showByCpu();
+        refresh();
     });
 }
 
 void Viewport::Impl::showByCpu() {
     cpuView = new CpuView(state, &widget);
     widget.layout()->addWidget(cpuView);
+    cpuView->lower();  // below what lies over the picture already
     connect(cpuView, &CpuView::frameDrawn, &widget, &Viewport::frameDrawn);
-    note = new QLabel(tr("No OpenGL here: these are the CPU renderer's pictures."), &widget);
+    note = new QLabel(&widget);
     note->setStyleSheet("background: rgba(0, 0, 0, 150); color: white; padding: 4px 8px;");
-    note->show();
     sphere->raise();
+}
+
+/// The view that draws is shown, the other hidden.
+void Viewport::Impl::chooseView() {
+    const bool byCpu = showsByCpu();
+    if (byCpu && !cpuView) showByCpu();
+    if (glView) glView->setVisible(!byCpu);
+    if (!cpuView) return;
+    if (cpuView->isHidden() == byCpu) {
+        cpuView->setVisible(byCpu);
+        widget.layout()->activate();  // who asks for the picture now gets one of the whole size
+    }
+    note->setVisible(byCpu);
+    note->setText(glView ? tr("Shadows: these are the CPU renderer's pictures.")
+                         : tr("No OpenGL here: these are the CPU renderer's pictures."));
     placeOverlays();
 }
 
+const scene::Light* Viewport::Impl::turnedLight() const {
+    const auto& lights = state.scene().lights;
+    return light >= 0 && light < int(lights.size()) ? &lights[std::size_t(light)] : nullptr;
+}
+
+/// From the camera's target, around which a light at a point goes.
+glm::vec3 Viewport::Impl::wayToLight() const {
+    const scene::Light& one = *turnedLight();
+    return one.kind == scene::Light::Kind::Point ? one.vector - state.camera.target : one.vector;
+}
+
+glm::vec3 Viewport::Impl::vectorFor(glm::vec3 way) const {
+    return turnedLight()->kind == scene::Light::Kind::Point ? state.camera.target + way : way;
+}
+
 void Viewport::Impl::refresh() {
-    if (glView) glView->update();
-    if (cpuView) cpuView->refresh();
+    chooseView();
+    if (showsByCpu())
+        cpuView->refresh();
+    else
+        glView->update();
     const int sample = state.scene().objects.empty() ? 0 : state.scene().objects.front().sample;
     sphere->show(state.scene().lights, state.camera, state.paint(sample).gradient);
+    Q_EMIT widget.pictureChanged();
 }
 
 void Viewport::Impl::placeOverlays() {
     constexpr int margin = 12;
     sphere->move(widget.width() - sphere->width() - margin, margin);
+    for (const QPointer<QWidget>& overlay : overlays)
+        if (overlay) overlay->setGeometry(widget.rect());
     if (!note) return;
     note->setWordWrap(false);
     const int width = std::min(note->sizeHint().width(), widget.width() - 2 * margin);
@@ -97,12 +141,11 @@ void Viewport::Impl::move(const scene::Camera& camera) {
 
 void Viewport::Impl::turnLight(glm::vec3 vector) {
     std::vector<scene::Light> lights = state.scene().lights;
-    if (lights.empty()) return;
-    lights.front().vector = vector;
+    lights[std::size_t(light)].vector = vector;
     state.setLights(lights);
     lightTurned = true;
     refresh();
-    Q_EMIT widget.lightEdited(0, vector);
+    Q_EMIT widget.lightEdited(light, vector);
 }
 
 void Viewport::Impl::finishLight() {
@@ -122,8 +165,7 @@ void Viewport::Impl::drag(QPointF position) {
         case Gesture::Zoom:
             return move(zoomed(state.camera, dragZoomFactor(float(delta.y())), pressed, size));
         case Gesture::Light:
-            if (!state.scene().lights.empty())
-                turnLight(turnedLight(state.scene().lights.front().vector, state.camera, delta));
+            if (turnedLight()) turnLight(vectorFor(widgets::turnedLight(wayToLight(), state.camera, delta)));
             return;
     }
 }
@@ -151,14 +193,11 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), m_impl(std::make_unique<I
     layout->setContentsMargins(0, 0, 0, 0);
     m_impl->sphere = new LightSphere(this);
     connect(m_impl->sphere, &LightSphere::lightDragged, this, [this](glm::vec3 direction) {
-        if (m_impl->state.scene().lights.empty()) return;
-        m_impl->turnLight(direction * glm::length(m_impl->state.scene().lights.front().vector));
+        if (!m_impl->turnedLight()) return;
+        m_impl->turnLight(m_impl->vectorFor(direction * glm::length(m_impl->wayToLight())));
     });
     connect(m_impl->sphere, &LightSphere::dragFinished, this, [this] { m_impl->finishLight(); });
-    if (openGlSupport().usable)
-        m_impl->showByOpenGl();
-    else
-        m_impl->showByCpu();
+    if (openGlSupport().usable) m_impl->showByOpenGl();
     m_impl->sphere->raise();
     m_impl->refresh();
 }
@@ -170,7 +209,7 @@ Viewport::~Viewport() {
 }
 
 bool Viewport::usesOpenGl() const {
-    return m_impl->glView != nullptr;
+    return !m_impl->showsByCpu();
 }
 
 void Viewport::setScene(const scene::Scene& scene) {
@@ -181,6 +220,10 @@ void Viewport::setScene(const scene::Scene& scene) {
 void Viewport::setLights(const std::vector<scene::Light>& lights) {
     m_impl->state.setLights(lights);
     m_impl->refresh();
+}
+
+void Viewport::setTurnedLight(int light) {
+    m_impl->light = light;
 }
 
 void Viewport::setCamera(const scene::Camera& camera) {
@@ -248,7 +291,7 @@ void Viewport::frameAll() {
 }
 
 QImage Viewport::picture() const {
-    return m_impl->glView ? m_impl->glView->picture() : m_impl->cpuView->picture();
+    return m_impl->showsByCpu() ? m_impl->cpuView->picture() : m_impl->glView->picture();
 }
 
 QSize Viewport::pixels() const {
@@ -258,6 +301,19 @@ QSize Viewport::pixels() const {
 std::vector<methods::TexturePlacement> Viewport::placements() const {
     m_impl->state.follow(pixels());
     return m_impl->state.placements();
+}
+
+ViewSnapshot Viewport::snapshot() const {
+    return ViewSnapshot::of(m_impl->state, pixels());
+}
+
+void Viewport::addOverlay(QWidget* overlay) {
+    overlay->setParent(this);
+    overlay->setGeometry(rect());
+    overlay->lower();
+    if (m_impl->glView) m_impl->glView->lower();
+    if (m_impl->cpuView) m_impl->cpuView->lower();
+    m_impl->overlays.push_back(overlay);
 }
 
 bool Viewport::event(QEvent* event) {
@@ -327,6 +383,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 void Viewport::resizeEvent(QResizeEvent*) {
     m_impl->placeOverlays();
     Q_EMIT viewChanged();
+    Q_EMIT pictureChanged();
 }
 
 void Viewport::dragEnterEvent(QDragEnterEvent* event) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "widgets/viewport/navigation.h"
-#include "widgets/viewport/view_state.h"
+#include "widgets/viewport/view_snapshot.h"
 
 #include <QImage>
 #include <QWidget>
@@ -24,13 +24,16 @@ public:
     explicit Viewport(QWidget* parent = nullptr);
     ~Viewport() override;
 
-    /// False: the CPU renderer's pictures are shown, and a note over the picture says so.
+    /// False: the CPU renderer's pictures are shown, and a note over the picture says so. So it is without
+    /// OpenGL, and while the scene has shadows or ambient occlusion, which only that renderer casts.
     bool usesOpenGl() const;
 
     /// Meshes are shared snapshots: only those that changed are uploaded. An object that was there before
     /// (the same mesh under the same name) keeps its place on the texture. Takes the scene's lights as well.
     void setScene(const scene::Scene& scene);
     void setLights(const std::vector<scene::Light>& lights);
+    /// The light that drags turn; the first one at first.
+    void setTurnedLight(int light);
     void setCamera(const scene::Camera& camera);
     const scene::Camera& camera() const;
 
@@ -67,10 +70,16 @@ public:
     QSize pixels() const;
     /// Where each object's view-aligned texture lies, as followed through all moves so far; device pixels.
     std::vector<methods::TexturePlacement> placements() const;
+    /// All that the picture is made from, for another thread.
+    ViewSnapshot snapshot() const;
+    /// Puts a widget over the picture, as large as it, below all else that lies there; it belongs to the
+    /// viewport.
+    void addOverlay(QWidget* overlay);
 
 Q_SIGNALS:
     void cameraEdited(const scene::Camera& camera);  ///< after every navigation step
     void viewChanged();                              ///< another camera, or another size in device pixels
+    void pictureChanged();                           ///< anything that the picture shows, its size included
     void lightEdited(int light, glm::vec3 vector);   ///< while a drag turns the light
     void lightEditFinished();                        ///< the drag ended
     void frameDrawn(double milliseconds);            ///< a frame was drawn; how long that took

@@ -23,9 +23,23 @@ Project everythingChanged(const test::TemporaryFolder& folder) {
                                             gradient::ColorPath::Space::Oklab};
     project.samples.emplace_back().name = "second";
     project.samples.back().scan = folder / "second.tif";
-    project.mesh = folder / "head.glb";
+    project.meshes = {{folder / "head.glb", {"ear", "hair"}}, {folder / "table.obj"}};
     project.objects.push_back({.name = "teeth", .sample = 1, .visible = false, .transform = glm::mat4(2)});
-    project.lights = {{.vector = {0.1f, 0.2f, -0.3f}, .intensity = 0.7f, .wrap = false}};
+    project.objects.push_back({.name = "board",
+                               .source = "plane",
+                               .mesh = 1,
+                               .placement = {{1, 2, 3}, {0, 90, 370.5f}, {1, -0.5f, 2}},
+                               .views = {{.direction = {1, 2, 3}}}});
+    project.lights = {
+        {.vector = {0.1f, 0.2f, -0.3f}, .intensity = 0.7f, .wrap = false, .visible = false, .name = "Sun"},
+        {.kind = scene::Light::Kind::Point, .vector = {0, 0, 0}}};
+    project.occlusion = {.shadows = true, .ambient = 0.5, .ambientRadius = 40};
+    project.animation = {.frames = 100, .firstFrame = 10, .lastFrame = 20, .rate = 12.5};
+    project.animation.path.cameraTurn = 3.6;
+    project.animation.path.smooth = false;
+    project.animation.path.setKey(1, scene::Camera{});
+    project.animation.path.setKey(50, glm::vec3(0.1f, 0.2f, 0.3f));
+    project.animation.path.azimuth.set(20, 45);
     project.frameCamera = false;
     project.camera = {.azimuth = 12.5f, .elevation = -3, .distance = 1.25f, .target = {1, 2, 3}, .radius = 4};
     project.levels.count = 6;
@@ -59,6 +73,18 @@ TEST(Project, WritingTwiceGivesTheSameBytes) {
     writeProject(folder / "a.chiaro", everythingChanged(folder));
     writeProject(folder / "b.chiaro", readProject(folder / "a.chiaro"));
     EXPECT_EQ(readFile(folder / "a.chiaro", 1 << 20), readFile(folder / "b.chiaro", 1 << 20));
+}
+
+TEST(Project, OfTheFirstFormatStillOpens) {
+    const test::TemporaryFolder folder;
+    writeFileAtomically(folder / "old.chiaro", R"({"chiaro": 1, "samples": [{"name": "a", "scan": "a.png"}],
+        "mesh": "m/head.obj", "objects": [{"name": "jaw", "sample": 0, "visible": false}],
+        "lights": [{"kind": "directional", "vector": [0, 1, 0]}]})");
+    const Project project = readProject(folder / "old.chiaro");
+    EXPECT_EQ(project.meshes, std::vector<MeshFile>{{folder / "m/head.obj"}});
+    ASSERT_EQ(project.objects.size(), 1u);
+    EXPECT_EQ(project.objects[0], (ObjectSettings{.name = "jaw", .visible = false}));
+    EXPECT_EQ(project.lights[0].vector, glm::vec3(0, 1, 0));
 }
 
 std::string refusal(const std::string& text) {
@@ -95,6 +121,21 @@ TEST(Project, SaysWhatIsWrongWithAFile) {
     EXPECT_NE(
         refusal(R"({"chiaro": 1, "samples": [], "objects": [{"name": "a", "sample": 0}]})").find("sample"),
         std::string::npos);
+    const auto objects = [](const std::string& object) {
+        return refusal(R"({"chiaro": 2, "samples": [{"name": "a", "scan": "a"}], "meshes": [{"file": "m"}],
+            "objects": [{"name": "a", )" +
+                       object + "}]}");
+    };
+    EXPECT_NE(objects(R"("mesh": 1)").find("from 0 to 0"), std::string::npos);
+    EXPECT_NE(objects(R"("scale": [1, 0, 1])").find("not zero"), std::string::npos);
+    EXPECT_EQ(objects(R"("scale": [1, -1, 1])"), "accepted");
+    EXPECT_NE(refusal(R"({"chiaro": 2, "samples": [], "lights": [{"kind": "area"}]})").find("\"point\""),
+              std::string::npos);
+    EXPECT_NE(
+        refusal(R"({"chiaro": 2, "samples": [], "animation": {"frames": 9, "range": [1, 10]}})").find("to 9"),
+        std::string::npos);
+    EXPECT_NE(refusal(R"({"chiaro": 2, "samples": [], "animation": {"keys": [{"frame": 0}]}})").find("frame"),
+              std::string::npos);
     EXPECT_EQ(refusal(R"({"chiaro": 1, "samples": []})"), "accepted");
 }
 

@@ -29,6 +29,14 @@ TEST(Path, ALightSweepTurnsEveryLightAroundTheVerticalAxis) {
     EXPECT_EQ(quarter.camera, view.camera);
 }
 
+TEST(Path, AnApproachComesNearerByTheSameShareEachFrame) {
+    const Path path = Path::approaching();
+    EXPECT_EQ(path.at(1, start()).camera, start().camera);
+    EXPECT_FLOAT_EQ(path.at(3, start()).camera.distance, 0.96f * 0.96f);
+    EXPECT_FLOAT_EQ(path.at(999, start()).camera.distance, 0.01f);
+    EXPECT_FLOAT_EQ(path.at(3, start()).camera.azimuth, 30);
+}
+
 TEST(Path, ChannelsPassThroughTheirKeysAndRestBeyondThem) {
     for (const bool smooth : {false, true}) {
         Path path;
@@ -59,6 +67,33 @@ TEST(Path, ALightThatPassesThroughNothingKeepsADirection) {
     path.light[1].keys = path.light[2].keys = {{1, 0}};
     EXPECT_EQ(path.at(1, start()).lights.front().vector, glm::vec3(1, 0, 0));
     EXPECT_EQ(path.at(2, start()).lights.front().vector, start().lights.front().vector);
+}
+
+TEST(Path, KeysAreSetMovedAndRemoved) {
+    using Part = Path::Part;
+    Path path;
+    EXPECT_FALSE(path.moves());
+    path.setKey(10, start().camera);
+    path.setKey(5, glm::vec3(1, 2, 3));
+    path.setKey(10, glm::vec3(3, 2, 1));
+    EXPECT_TRUE(path.moves());
+    EXPECT_EQ(path.keyFrames(Part::Camera), std::vector<int>{10});
+    EXPECT_EQ(path.keyFrames(Part::Light), (std::vector<int>{5, 10}));
+    path.moveKey(Part::Light, 5, 10);
+    EXPECT_EQ(path.keyFrames(Part::Light), std::vector<int>{10});
+    EXPECT_EQ(path.at(10, start()).lights.front().vector, glm::vec3(1, 2, 3)) << "it took the other's place";
+    EXPECT_EQ(path.at(77, start()).camera, start().camera);
+    path.removeKey(Part::Light, 10);
+    path.removeKey(Part::Camera, 10);
+    EXPECT_EQ(path, Path{});
+}
+
+TEST(Path, APointLightGoesAroundTheTarget) {
+    View view = start();
+    view.camera.target = {10, 0, 0};
+    view.lights = {{.kind = Light::Kind::Point, .vector = {11, 5, 0}}};
+    EXPECT_NEAR(glm::distance(Path::lightSweep(8).at(3, view).lights[0].vector, glm::vec3(10, 5, -1)), 0,
+                1e-5);
 }
 
 }  // namespace

@@ -87,10 +87,8 @@ TEST(RealMeshes, AnUnusualPathIsNoObstacle) {
 TEST(RealMeshes, BrokenFilesGiveAMessageOrAValidMeshAtOnce) {
     CHIARO_NEEDS_SHARED_DATA();
     // Unusual, yet whole: these must load.
-    const std::map<std::string, std::size_t> whole{{"box_UTF16BE.obj", 12},
-                                                   {"deg_faces.obj", 4},
-                                                   {"nancolor.obj", 12},
-                                                   {"notenoughindices.obj", 1}};
+    const std::map<std::string, std::size_t> whole{
+        {"box_UTF16BE.obj", 12}, {"deg_faces.obj", 4}, {"nancolor.obj", 12}, {"notenoughindices.obj", 1}};
     for (const fs::path& path : test::filesIn(test::sharedData() / "broken" / "meshes")) {
         SCOPED_TRACE(path.filename());
         const auto start = std::chrono::steady_clock::now();

@@ -1,0 +1,75 @@
+#include "app/missing_files_dialog.h"
+
+#include <QtWidgets>
+
+namespace chiaro::app {
+
+using project::MissingFile;
+
+MissingFilesDialog::MissingFilesDialog(project::Project& project, QWidget* parent)
+    : QDialog(parent), m_project(project), m_list(new QTreeWidget) {
+    setWindowTitle(tr("Missing Files"));
+    auto* text =
+        new QLabel(tr("These files of the project are not where they were. Find one, and those beside "
+                      "it are found as well."));
+    text->setWordWrap(true);
+    m_list->setObjectName("missing-files");
+    m_list->setAccessibleName(tr("Missing files"));
+    m_list->setHeaderLabels({tr("File"), tr("Used as"), tr("Folder")});
+    m_list->setRootIsDecorated(false);
+    m_list->setUniformRowHeights(true);
+    m_list->setMinimumSize(560, 160);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    m_find = buttons->addButton(tr("Find…"), QDialogButtonBox::ActionRole);
+    m_open = buttons->addButton(tr("Open Without Them"), QDialogButtonBox::AcceptRole);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(text);
+    layout->addWidget(m_list, 1);
+    layout->addWidget(buttons);
+    connect(m_find, &QPushButton::clicked, this, &MissingFilesDialog::findSelected);
+    connect(m_list, &QTreeWidget::itemActivated, this, &MissingFilesDialog::findSelected);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    m_find->setDefault(true);
+    show(project::missingFiles(m_project));
+}
+
+void MissingFilesDialog::show(const std::vector<MissingFile>& missing) {
+    m_missing = missing;
+    m_list->clear();
+    for (const MissingFile& file : missing) {
+        const bool isScan = file.kind == MissingFile::Kind::Scan;
+        const QString use =
+            isScan
+                ? tr("sample %1").arg(QString::fromStdString(m_project.samples[std::size_t(file.index)].name))
+                : tr("mesh");
+        auto* item = new QTreeWidgetItem(
+            {QString::fromStdString(file.path.filename().string()), use,
+             QDir::toNativeSeparators(QString::fromStdString(file.path.parent_path().string()))});
+        item->setToolTip(2, item->text(2));
+        m_list->addTopLevelItem(item);
+    }
+    for (int column = 0; column < 2; ++column) m_list->resizeColumnToContents(column);
+    m_list->setCurrentItem(m_list->topLevelItem(0));
+    m_find->setEnabled(!missing.empty());
+    m_open->setText(missing.empty() ? tr("Open") : tr("Open Without Them"));
+}
+
+void MissingFilesDialog::findSelected() {
+    const int row = m_list->indexOfTopLevelItem(m_list->currentItem());
+    if (row < 0) return;
+    const MissingFile file = m_missing[std::size_t(row)];
+    const QString name = QString::fromStdString(file.path.filename().string());
+    const QString filter = tr("%1 (%1);;All files (*)").arg(name);
+    const QString path = QFileDialog::getOpenFileName(this, tr("Find %1").arg(name), {}, filter);
+    if (path.isEmpty()) return;
+    project::relink(m_project, file, std::filesystem::path(path.toStdString()));
+    show(project::missingFiles(m_project));
+}
+
+void MissingFilesDialog::findFirst(const QString& path) {
+    project::relink(m_project, m_missing.front(), std::filesystem::path(path.toStdString()));
+    show(project::missingFiles(m_project));
+}
+
+}  // namespace chiaro::app

@@ -1,0 +1,78 @@
+#include "core/project/backups.h"
+
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+
+namespace chiaro::project {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t largestFile = 64 << 20;
+
+fs::path backup(const fs::path& file, int number) {
+    return fmt::format("{}{}", file.string(), number);
+}
+
+bool isSame(const fs::path& a, const fs::path& b) {
+    std::error_code ignored;
+    if (!fs::exists(b, ignored) || fs::file_size(a, ignored) != fs::file_size(b, ignored)) return false;
+    try {
+        return readFile(a, largestFile) == readFile(b, largestFile);
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+/// The process that an atomic file's temporary name ".STEM.PID-N.EXTENSION" tells; 0 when it is no such name.
+int writerOf(const fs::path& path, const fs::path& file) {
+    const std::string name = path.filename().string(), start = fmt::format(".{}.", file.stem().string());
+    if (!name.starts_with(start) || path.extension() != file.extension()) return 0;
+    int process = 0;
+    const auto [end, problem] =
+        std::from_chars(name.data() + start.size(), name.data() + name.size(), process);
+    return problem == std::errc() && *end == '-' ? process : 0;
+}
+
+}  // namespace
+
+void keepBackup(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error) || isSame(file, backup(file, 1))) return;
+    // A second name for what is there: the file is replaced when it is saved, never written to.
+    const fs::path fresh = backup(file, 0);
+    fs::remove(fresh, error);
+    fs::create_hard_link(file, fresh, error);
+    if (error && !fs::copy_file(file, fresh, fs::copy_options::overwrite_existing, error)) return;
+    for (int number = keptBackups - 1; number >= 1; --number)
+        fs::rename(backup(file, number), backup(file, number + 1), error);
+    fs::rename(fresh, backup(file, 1), error);
+}
+
+std::vector<fs::path> backupsOf(const fs::path& file) {
+    std::vector<fs::path> found;
+    std::error_code ignored;
+    for (int number = 1; number <= keptBackups; ++number)
+        if (fs::is_regular_file(backup(file, number), ignored)) found.push_back(backup(file, number));
+    return found;
+}
+
+void removeLeftovers(const fs::path& file) {
+    std::error_code error;
+    const fs::path folder = fs::absolute(file).parent_path();
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+        const int process = writerOf(entry.path(), file);
+        if (process <= 0 || ::kill(process, 0) == 0 || errno != ESRCH) continue;
+        std::error_code ignored;
+        fs::remove(entry.path(), ignored);
+    }
+}
+
+}  // namespace chiaro::project

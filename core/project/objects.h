@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/project/project.h"
+
+namespace chiaro::project {
+
+/// The names of the objects of each of a project's mesh files, in their order there; empty for a file that
+/// can't be read.
+using ObjectNames = std::vector<std::vector<std::string>>;
+
+/// The settings of every object of the scene in the scene's order: file by file, as they come in the file;
+/// those of one object of a file stay in the project's order. Objects that the project doesn't name get
+/// settings of their own; those that their file doesn't have come last of their file.
+std::vector<ObjectSettings> allObjects(const Project& project, const ObjectNames& names);
+
+/// `wanted` if no object has that name, else with a number behind it.
+std::string uniqueName(const std::string& wanted, const std::vector<ObjectSettings>& objects);
+
+/// A file that a project names and that isn't there.
+struct MissingFile {
+    enum class Kind { Scan, Mesh };
+    Kind kind = Kind::Scan;
+    int index = 0;  ///< of the sample or the mesh file
+    std::filesystem::path path;
+    friend bool operator==(const MissingFile&, const MissingFile&) = default;
+};
+std::vector<MissingFile> missingFiles(const Project& project);
+/// Takes another file in its place. Of other missing files, those with the same name as before and beside
+/// the new one, or as far below it as they were, are found as well.
+void relink(Project& project, const MissingFile& missing, const std::filesystem::path& found);
+
+}  // namespace chiaro::project
