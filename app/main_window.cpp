@@ -1,5 +1,6 @@
 #include "app/main_window.h"
 
+#include "app/animation_dialog.h"
 #include "app/docks/gradient_dock.h"
 #include "app/docks/history_dock.h"
 #include "app/docks/jobs_dock.h"
@@ -265,6 +266,8 @@ void MainWindow::makeRenderMenu() {
     QMenu* render = menuBar()->addMenu(tr("&Render"));
     m_methods->addTo(*render);
     render->addSeparator();
+    addAction(*render, "export", tr("Render &Animation…"), QKeySequence("Ctrl+Shift+E"),
+              [this] { renderAnimation(); });
     addAction(*render, "play", tr("&Play or Pause"), QKeySequence("Ctrl+Space"),
               [this] { m_timelineDock->togglePlaying(); });
     addAction(*render, "key-camera", tr("Key &Camera"), QKeySequence("K"),
@@ -412,6 +415,25 @@ void MainWindow::exportPicture() {
         },
         [this, path = settings.path](bool) {
             showNote(tr("The picture is at %1").arg(QString::fromStdString(path.string())));
+        });
+}
+
+void MainWindow::renderAnimation() {
+    AnimationSettings suggestion;
+    suggestion.output = (folder() + "/" + m_document.name() + ".####.png").toStdString();
+    suggestion.background = viewportBackground;
+    AnimationDialog dialog(m_document.project().animation, suggestion, this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    const QString name = QString::fromStdString(dialog.settings().output.filename().string());
+    m_jobs.start(
+        {tr("Rendering %1").arg(name), {}, {}, {}},
+        [project = m_document.project(), scene = m_meshes.scene(),
+         settings = dialog.settings()](const Task& task) {
+            exportAnimation(project, scene, settings, task);
+            return true;
+        },
+        [this, path = dialog.settings().output](bool) {
+            showNote(tr("The animation is at %1").arg(QString::fromStdString(path.string())));
         });
 }
 

@@ -73,6 +73,7 @@ public Q_SLOTS:
     bool save();
     bool saveAs();
     void exportPicture();
+    void renderAnimation();
     void showError(const QString& message);
     void showNote(const QString& message);
 
