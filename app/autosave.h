@@ -75,7 +75,7 @@ private:
     int m_edits = 0;  ///< since the last copy
     bool m_hasCopy = false;
     bool m_isNoted = false;  ///< follow() is on its way
-    QThreadPool m_writer;  ///< one thread, so that files are written in order
+    QThreadPool m_writer;    ///< one thread, so that files are written in order
 };
 
 }  // namespace chiaro::app

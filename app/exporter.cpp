@@ -1,5 +1,7 @@
 #include "app/exporter.h"
 
+#include "app/animation_dialog.h"
+#include "app/animation_export.h"
 #include "app/document.h"
 #include "app/export_dialog.h"
 #include "app/jobs/job_runner.h"
@@ -69,6 +71,24 @@ void Exporter::exportPicture(const QString& folder) {
         },
         [this, path = settings.path](bool) {
             Q_EMIT exported(tr("The picture is at %1").arg(QString::fromStdString(path.string())));
+        });
+}
+
+void Exporter::renderAnimation(const QString& folder) {
+    AnimationSettings suggested;
+    suggested.output = suggestion(folder, ".####.png");
+    suggested.background = m_viewport.background();
+    AnimationDialog dialog(m_document.project().animation, suggested, m_viewport.window());
+    if (dialog.exec() != QDialog::Accepted) return;
+    const AnimationSettings settings = dialog.settings();
+    m_jobs.start(
+        {tr("Rendering %1").arg(nameOf(settings.output)), {}, {}, {}},
+        [project = m_document.project(), scene = m_meshes.scene(), settings](const Task& task) {
+            exportAnimation(project, scene, settings, task);
+            return true;
+        },
+        [this, path = settings.output](bool) {
+            Q_EMIT exported(tr("The animation is at %1").arg(QString::fromStdString(path.string())));
         });
 }
 

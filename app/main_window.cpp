@@ -279,24 +279,16 @@ void MainWindow::makeSampleMenu() {
 void MainWindow::makeSceneMenu() {
     QMenu* scene = menuBar()->addMenu(tr("S&cene"));
     addAction(*scene, "mesh", tr("&Add Mesh…"), QKeySequence("Ctrl+Shift+M"), [this] { addMeshByDialog(); });
-    addAction(*scene, "light-add", tr("Add &Light"), {}, [this] { m_sceneDock->addLight(); });
-    scene->addSeparator();
-    // Their keys are the list's own, so that they never take a letter from a text field.
-    addAction(*scene, "duplicate", tr("&Duplicate"), {}, [this] { m_sceneDock->duplicateSelected(); });
-    addAction(*scene, "eye", tr("&Hide or Show"), {}, [this] { m_sceneDock->toggleSelected(); });
-    addAction(*scene, "remove", tr("&Remove"), {}, [this] { m_sceneDock->removeSelected(); });
+    m_sceneDock->addTo(*scene);
 }
 
 void MainWindow::makeRenderMenu() {
     QMenu* render = menuBar()->addMenu(tr("&Render"));
     m_methods->addTo(*render);
     render->addSeparator();
-    addAction(*render, "play", tr("&Play or Pause"), QKeySequence("Ctrl+Space"),
-              [this] { m_timelineDock->togglePlaying(); });
-    addAction(*render, "key-camera", tr("Key &Camera"), QKeySequence("K"),
-              [this] { m_timelineDock->keyCamera(); });
-    addAction(*render, "key-light", tr("Key &Light"), QKeySequence("Shift+K"),
-              [this] { m_timelineDock->keyLight(); });
+    addAction(*render, "export", tr("Render &Animation…"), QKeySequence("Ctrl+Shift+E"),
+              [this] { m_exporter->renderAnimation(folder()); });
+    m_timelineDock->addTo(*render);
 }
 
 void MainWindow::makeHelpMenu() {

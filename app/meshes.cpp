@@ -35,6 +35,9 @@ LoadedModel LoadedModel::read(const std::filesystem::path& path, const Task& tas
         loaded.meshes.push_back(std::make_shared<const scene::Mesh>(std::move(mesh)));
     }
     loaded.warnings = std::move(model.warnings);
+    scene::BoundsBuilder bounds;
+    for (const auto& mesh : loaded.meshes) bounds.addMesh(*mesh, glm::mat4(1));
+    loaded.radius = bounds.bounds().radius;
     return loaded;
 }
 
@@ -134,6 +137,9 @@ void Meshes::refresh() {
             unread = &mesh.path;
     }
     m_isStale = true;
+    m_size = 0;
+    for (const auto& [path, model] : m_models) m_size = std::max(m_size, model->radius);
+    if (!(m_size > 0)) m_size = 1;
     if (unread) this->read(*unread);
     Q_EMIT sceneChanged();
 }

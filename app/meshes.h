@@ -24,6 +24,7 @@ struct LoadedModel {
     project::MeshList meshes;
     std::vector<std::string> warnings;
     std::vector<std::uint64_t> contentKeys;  ///< hash of each mesh
+    float radius = 0;                        ///< of all of them where the file puts them
 
     /// Throws Error, Cancelled.
     static LoadedModel read(const std::filesystem::path& path, const Task& task);
@@ -46,6 +47,8 @@ public:
     std::uint64_t contentKey() const;
     /// Hash of an object's mesh; 0 while it has none.
     std::uint64_t contentKey(int object) const;
+    /// About how large the scene is, from its meshes alone: quick, and the same amid a drag. 1 without any.
+    float size() const { return m_size; }
     /// Hands over a model that is already read. To be called before the document names its file.
     void remember(const std::filesystem::path& path, LoadedModel model);
 
@@ -66,6 +69,7 @@ private:
     std::map<std::filesystem::path, Model> m_models;  ///< of the mesh files that are read
     std::set<std::filesystem::path> m_unreadable;     ///< not tried again by itself
     // The scene is asked for often and changes seldom.
+    float m_size = 1;
     mutable scene::Scene m_scene;
     mutable std::vector<std::uint64_t> m_contentKeys;  ///< one an object
     mutable bool m_isStale = true;

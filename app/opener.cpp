@@ -73,11 +73,9 @@ bool isDemo(const std::filesystem::path& path) {
 }
 
 /// What to say of a mesh that is lost in the scene that it joins, or the other way around; empty else.
-QString sizeNote(const LoadedModel& model, const scene::Scene& scene) {
+QString sizeNote(const LoadedModel& model, float size) {
     constexpr float striking = 15;
-    scene::BoundsBuilder added;
-    for (const auto& mesh : model.meshes) added.addMesh(*mesh, glm::mat4(1));
-    const float ratio = added.bounds().radius / scene::boundsOf(scene).radius;
+    const float ratio = model.radius / size;
     if (!(ratio > 0) || !std::isfinite(ratio) || (ratio < striking && ratio > 1 / striking)) return {};
     return ratio > 1 ? Opener::tr(
                            "The added mesh is %1 times as large as the rest; its Scale in the Scene dock "
@@ -207,7 +205,8 @@ void Opener::openMesh(const Entry& entry) {
         [this, path, adds = entry.purpose == Purpose::Add](LoadedModel model) {
             const std::vector<std::string> names = model.objectNames();
             std::vector<std::string> warnings = model.warnings;
-            if (const QString size = sizeNote(model, m_meshes.scene()); adds && !size.isEmpty())
+            if (const QString size = sizeNote(model, m_meshes.size());
+                adds && !m_document.project().meshes.empty() && !size.isEmpty())
                 warnings.push_back(size.toStdString());
             m_meshes.remember(path, std::move(model));
             int first = 0;

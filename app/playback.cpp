@@ -21,8 +21,10 @@ Playback::Playback(Document& document, Meshes& meshes, QObject* parent)
 
 scene::View Playback::view() const {
     const project::Project& project = m_document.project();
-    return project.animation.path.at(m_frame,
-                                     {project::cameraFor(project, m_meshes.scene()), project.lights});
+    scene::View view =
+        project.animation.path.at(m_frame, {project::cameraFor(project, m_meshes.scene()), project.lights});
+    if (m_shown) view.camera = *m_shown;
+    return view;
 }
 
 scene::Camera Playback::unturned(scene::Camera camera) const {
@@ -36,7 +38,7 @@ void Playback::takeCamera(const scene::Camera& shown) {
 }
 
 scene::Camera Playback::cameraKey() const {
-    return unturned(m_shown.value_or(view().camera));
+    return unturned(view().camera);
 }
 
 glm::vec3 Playback::lightKey() const {
@@ -122,8 +124,14 @@ void Playback::applyChange(Change change) {
         Q_EMIT currentFrameChanged(1);
         Q_EMIT viewChanged();
     }
+    const project::Animation& animation = m_document.project().animation;
+    if (change.kind == Kind::Everything || change.kind == Kind::Animation) {
+        scene::Path camera = animation.path;
+        camera.light = {};
+        camera.lightTurn = 0;
+        if (std::exchange(m_cameraPath, camera) != camera) m_shown.reset();
+    }
     if (change.kind == Kind::Animation) {
-        const project::Animation& animation = m_document.project().animation;
         if (isPlaying()) m_timer.setInterval(std::max(1, int(1000 / animation.rate)));
         setCurrentFrame(m_frame);  // there may be fewer
         Q_EMIT viewChanged();

@@ -24,7 +24,7 @@ public:
 
     int currentFrame() const { return m_frame; }
     bool isPlaying() const { return m_timer.isActive(); }
-    /// The camera and the lights of the current frame.
+    /// The camera and the lights of the current frame; where the artist looked elsewhere since, that camera.
     scene::View view() const;
 
     /// What a key made now holds: the camera as it is shown, without the turn that goes on top of keys; and
@@ -62,6 +62,7 @@ private:
     Document& m_document;
     Meshes& m_meshes;
     int m_frame = 1;
+    scene::Path m_cameraPath;              ///< what moves the camera, as it was shown last
     std::optional<scene::Camera> m_shown;  ///< where the artist looked since the frame was shown
     QTimer m_timer;
     QElapsedTimer m_clock;  ///< since playing began at m_start

@@ -104,7 +104,8 @@ void ViewportLink::showFrame() {
     const bool movesCamera = path.cameraTurn != 0 || !path.keyFrames(scene::Path::Part::Camera).empty();
     m_viewport.setLights(view.lights);
     m_textures.setLights(view.lights);
-    if (movesCamera) m_viewport.setCamera(view.camera);
+    if (movesCamera || m_movesCamera) m_viewport.setCamera(view.camera);
+    m_movesCamera = movesCamera;
 }
 
 void ViewportLink::showPaint(int sample) {

@@ -44,6 +44,7 @@ private:
     FrameTextures& m_textures;
     widgets::Viewport& m_viewport;
     int m_shownSamples = 0;
+    bool m_movesCamera = false;  ///< the animation did when the frame was shown last
     std::vector<std::shared_ptr<const scene::Mesh>> m_framed;  ///< that the camera was aimed at
 };
 

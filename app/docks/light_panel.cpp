@@ -2,6 +2,7 @@
 
 #include "app/docks/scene_steps.h"
 #include "app/document.h"
+#include "app/meshes.h"
 #include "widgets/parameter_form.h"
 #include "widgets/vector_edit.h"
 
@@ -61,7 +62,7 @@ void LightPanel::showLight(int light) {
     m_vectorLabel->setText(isPoint ? tr("Position") : tr("Direction"));
     m_vector->setToolTip(isPoint ? tr("Where the light stands")
                                  : tr("From the scene towards the light; only the direction counts"));
-    m_vector->setStep(isPoint ? stepIn(m_meshes) : 0.05);
+    m_vector->setStep(isPoint ? stepFor(m_meshes.size()) : 0.05);
     m_vector->setValue(one.vector);
 }
 
@@ -73,7 +74,7 @@ void LightPanel::edit() {
     if (kind != light.kind) {
         // It goes on shining from the same side.
         const scene::Bounds bounds = scene::boundsOf(m_meshes.scene());
-        const float away = 2 * sceneRadius(m_meshes);
+        const float away = 2 * m_meshes.size();
         const glm::vec3 way = light.vector - bounds.center();
         light.vector = kind == scene::Light::Kind::Point ? bounds.center() + light.direction({}) * away
                        : glm::length(way) > 0            ? glm::normalize(way)

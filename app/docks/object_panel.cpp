@@ -2,6 +2,7 @@
 
 #include "app/docks/scene_steps.h"
 #include "app/document.h"
+#include "app/meshes.h"
 #include "widgets/vector_edit.h"
 #include "widgets/wheel_guard.h"
 
@@ -82,7 +83,7 @@ void ObjectPanel::showObject(int object, std::vector<int> selected) {
     m_selected = std::move(selected);
     const project::ObjectSettings& settings = m_document.project().objects[std::size_t(object)];
     m_sample->setCurrentIndex(settings.sample < m_sample->count() ? settings.sample : -1);
-    m_position->setStep(stepIn(m_meshes));
+    m_position->setStep(stepFor(m_meshes.size()));
     m_position->setValue(settings.placement.position);
     m_rotation->setValue(settings.placement.rotation);
     m_scale->setValue(settings.placement.scale);

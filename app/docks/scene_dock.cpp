@@ -151,6 +151,15 @@ std::vector<int> SceneDock::selectedRows() const {
     return rows;
 }
 
+void SceneDock::addTo(QMenu& menu) {
+    // Their keys are the list's own, so that they never take a letter from a text field.
+    menu.addAction(widgets::icon("light-add"), tr("Add &Light"), this, &SceneDock::addLight);
+    menu.addSeparator();
+    menu.addAction(widgets::icon("duplicate"), tr("&Duplicate"), this, &SceneDock::duplicateSelected);
+    menu.addAction(widgets::icon("eye"), tr("&Hide or Show"), this, &SceneDock::toggleSelected);
+    menu.addAction(widgets::icon("remove"), tr("&Remove"), this, &SceneDock::removeSelected);
+}
+
 void SceneDock::keepSelection() {
     m_selected = selectedRows();
     m_current = std::max(0, currentRow());

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+class QMenu;
 class QStackedWidget;
 class QToolButton;
 class QTreeView;
@@ -32,6 +33,8 @@ public:
     SceneModel& model() { return *m_model; }
     QTreeView* list() const { return m_list; }
     void selectRow(int row);
+    /// What the list's buttons and keys do.
+    void addTo(QMenu& menu);
 
 public Q_SLOTS:
     void addLight();

@@ -212,6 +212,15 @@ void TimelineDock::connectParts() {
     connect(&m_document, &Document::changed, this, &TimelineDock::applyChange);
 }
 
+void TimelineDock::addTo(QMenu& menu) {
+    menu.addAction(widgets::icon("play"), tr("&Play or Pause"), QKeySequence("Ctrl+Space"), this,
+                   &TimelineDock::togglePlaying);
+    menu.addAction(widgets::icon("key-camera"), tr("Key &Camera"), QKeySequence("K"), this,
+                   &TimelineDock::keyCamera);
+    menu.addAction(widgets::icon("key-light"), tr("Key &Light"), QKeySequence("Shift+K"), this,
+                   &TimelineDock::keyLight);
+}
+
 void TimelineDock::applyChange(Change change) {
     if (change.kind == Change::Kind::Everything || change.kind == Change::Kind::Animation) showAnimation();
 }

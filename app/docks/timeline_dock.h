@@ -8,6 +8,7 @@
 class QComboBox;
 class QHBoxLayout;
 class QLabel;
+class QMenu;
 class QSpinBox;
 class QToolButton;
 
@@ -29,6 +30,8 @@ public:
     TimelineDock(Document& document, Playback& playback);
 
     widgets::Timeline* timeline() const { return m_timeline; }
+    /// Playing and keys, with their shortcuts.
+    void addTo(QMenu& menu);
 
 public Q_SLOTS:
     void setCurrentFrame(int frame);

@@ -48,7 +48,7 @@ std::shared_ptr<const scene::Mesh> meshNamed(const MeshList& model, const std::s
 
 glm::mat4 placeOf(const ObjectSettings& settings, const scene::Mesh* mesh) {
     if (settings.placement == scene::Placement{} || !mesh) return settings.transform;
-    const glm::vec3 centre(settings.transform * glm::vec4(boundsOf(*mesh).center(), 1));
+    const glm::vec3 centre(settings.transform * glm::vec4(centreOf(*mesh), 1));
     return settings.placement.matrix(centre) * settings.transform;
 }
 

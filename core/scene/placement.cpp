@@ -15,4 +15,14 @@ glm::mat4 Placement::matrix(glm::vec3 centre) const {
     return glm::translate(matrix, -centre);
 }
 
+glm::vec3 centreOf(const Mesh& mesh) {
+    if (mesh.positions.empty()) return glm::vec3(0);
+    glm::vec3 low = mesh.positions.front(), high = low;
+    for (const glm::vec3& position : mesh.positions) {
+        low = glm::min(low, position);
+        high = glm::max(high, position);
+    }
+    return low * 0.5f + high * 0.5f;
+}
+
 }  // namespace chiaro::scene

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/scene/mesh.h"
+
 #include <glm/glm.hpp>
 
 namespace chiaro::scene {
@@ -15,5 +17,9 @@ struct Placement {
     /// From the file's place to the scene; `centre` is the object's, where the file puts it.
     glm::mat4 matrix(glm::vec3 centre) const;
 };
+
+/// The middle of the box around all vertices: the centre about which an object is placed. Quick enough to be
+/// asked for amid a drag; boundsOf() is not.
+glm::vec3 centreOf(const Mesh& mesh);
 
 }  // namespace chiaro::scene

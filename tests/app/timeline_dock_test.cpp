@@ -124,6 +124,21 @@ private Q_SLOTS:
         QVERIFY(glm::distance(stage.studio.document.project().lights[0].vector, glm::vec3(0, 0, 1)) < 1e-5F);
     }
 
+    void lookingElsewhereLastsUntilTheNextFrame() {
+        Stage stage;
+        stage.dock->keyCamera();
+        stage.look(77);
+        stage.playback.takeLight(0, {1, 0, 0});  // no reason to look back
+        QCOMPARE(stage.azimuth(), 77.0F);
+        stage.dock->setCurrentFrame(2);
+        QCOMPARE(stage.azimuth(), 30.0F);
+        stage.look(77);
+        stage.undo().undo();
+        stage.undo().undo();  // the key
+        QCOMPARE(stage.azimuth(), 77.0F);
+        QVERIFY(!stage.animation().path.moves());
+    }
+
     void keysAreMovedAndRemovedOnTheTimeline() {
         Stage stage;
         stage.dock->setCurrentFrame(10);

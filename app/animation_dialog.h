@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/animation_export.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace chiaro::app {
+
+/// Asks for the size and the files of the frames that are rendered.
+class AnimationDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    AnimationDialog(const project::Animation& animation, const AnimationSettings& suggestion,
+                    QWidget* parent);
+
+    AnimationSettings settings() const;
+
+private:
+    void browse();
+    void showOutput();
+
+    AnimationSettings m_suggestion;
+    QSpinBox* m_width = nullptr;
+    QSpinBox* m_height = nullptr;
+    QCheckBox* m_transparent = nullptr;
+    QLineEdit* m_path = nullptr;
+    QLabel* m_problem = nullptr;
+    QPushButton* m_render = nullptr;
+};
+
+}  // namespace chiaro::app
