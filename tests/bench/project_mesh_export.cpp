@@ -26,6 +26,7 @@ struct Stage {
         std::vector<std::shared_ptr<const scene::Mesh>> shared;
         for (scene::Mesh& mesh : meshes)
             shared.push_back(std::make_shared<const scene::Mesh>(std::move(mesh)));
+        project.meshes = {{"in memory"}};
         scene = project::makeScene(project, {shared});
         paints.push_back(project::preparePaint(project, 0));
     }
