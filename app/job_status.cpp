@@ -33,7 +33,7 @@ JobStatus::JobStatus(JobRunner& jobs, QWidget* parent)
 }
 
 void JobStatus::follow() {
-    if (m_jobs.isIdle()) {
+    if (m_jobs.jobs().empty()) {
         m_delay.stop();
         hide();
     } else if (!isVisible() && !m_delay.isActive()) {

@@ -1,18 +1,19 @@
 #include "app/main_window.h"
 
-#include "app/animation_dialog.h"
 #include "app/docks/gradient_dock.h"
 #include "app/docks/history_dock.h"
 #include "app/docks/jobs_dock.h"
+#include "app/docks/metric_graph_dock.h"
 #include "app/docks/parameters_dock.h"
 #include "app/docks/sample_dock.h"
 #include "app/docks/scene_dock.h"
 #include "app/docks/timeline_dock.h"
 #include "app/docks/view_planning_dock.h"
 #include "app/empty_hint.h"
-#include "app/export_dialog.h"
+#include "app/exporter.h"
 #include "app/job_status.h"
 #include "app/method_switch.h"
+#include "app/metric_tools.h"
 #include "app/recent_files.h"
 #include "app/safekeeping.h"
 #include "app/view_overlays.h"
@@ -61,8 +62,8 @@ MainWindow::MainWindow()
         std::make_shared<const project::TextureCache>(project::TextureCache::standardFolder()));
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     makeCentralView();
     makeDocks();
     makeBottomDocks();
@@ -118,6 +119,24 @@ void MainWindow::makeDocks() {
             [this] { m_viewsDock->setCamera(m_viewport->camera()); });
     m_viewOverlays = new ViewOverlays(*m_viewsDock, m_viewPlans, m_meshes, *m_viewport, m_viewport);
     m_viewsDock->addSwitches({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
+    makeMetrics();
+}
+
+void MainWindow::makeMetrics() {
+    m_metrics = std::make_unique<MetricTools>(m_document, m_jobs, m_paints, m_meshes, *m_viewport);
+    m_metrics->comparison().setCache(m_objectTextures.cache());
+    MetricGraphDock& dock = m_metrics->dock();
+    addDockWidget(Qt::BottomDockWidgetArea, &dock);
+    dock.hide();
+    connect(m_sampleDock, &SampleDock::currentSampleChanged, m_metrics.get(), &MetricTools::setSample);
+    m_metrics->setSample(m_sampleDock->currentSample());
+    connect(&dock, &MetricGraphDock::frameWanted, this, [this](int frame) {
+        const Comparison& comparison = *m_metrics->comparison().result();
+        if (comparison.settings.movement == ComparisonSettings::Movement::Timeline)
+            m_playback.setCurrentFrame(frame);
+    });
+    connect(&dock, &MetricGraphDock::exported, this,
+            [this](const QString& path) { showNote(tr("The figures are at %1").arg(path)); });
 }
 
 void MainWindow::makeBottomDocks() {
@@ -153,6 +172,7 @@ void MainWindow::makeStatusBar() {
     m_frameTime = new QLabel;
     m_frameTime->setToolTip(tr("The method shown, and how long its last frame took"));
     statusBar()->addWidget(new JobStatus(m_jobs));
+    m_metrics->addTo(*statusBar());
     statusBar()->addPermanentWidget(m_frameTime);
     statusBar()->setContentsMargins(8, 0, 10, 0);
     statusBar()->setSizeGripEnabled(false);
@@ -198,7 +218,10 @@ void MainWindow::makeFileMenu() {
     file->addSeparator();
     addAction(*file, "save", tr("&Save"), QKeySequence::Save, [this] { save(); });
     addAction(*file, nullptr, tr("Save &As…"), QKeySequence::SaveAs, [this] { saveAs(); });
-    addAction(*file, "export", tr("&Export Picture…"), QKeySequence("Ctrl+E"), [this] { exportPicture(); });
+    addAction(*file, "export", tr("&Export Picture…"), QKeySequence("Ctrl+E"),
+              [this] { m_exporter->exportPicture(folder()); });
+    addAction(*file, nullptr, tr("Export M&esh…"), QKeySequence("Ctrl+Shift+E"),
+              [this] { m_exporter->exportMesh(folder()); });
     file->addSeparator();
     addAction(*file, nullptr, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 }
@@ -220,6 +243,8 @@ void MainWindow::makeViewMenu() {
     }
     m_viewport->setNavigation(widgets::Viewport::Navigation(chosen));
     view->addActions({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
+    view->addSeparator();
+    m_metrics->addTo(*view);
     view->addSeparator();
     for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
     addAction(*view, nullptr, tr("&Reset Layout"), {}, [this] {
@@ -262,7 +287,7 @@ void MainWindow::makeRenderMenu() {
     m_methods->addTo(*render);
     render->addSeparator();
     addAction(*render, "export", tr("Render &Animation…"), QKeySequence("Ctrl+Shift+E"),
-              [this] { renderAnimation(); });
+              [this] { m_exporter->renderAnimation(folder()); });
     m_timelineDock->addTo(*render);
 }
 
@@ -279,6 +304,9 @@ void MainWindow::makeHelpMenu() {
 }
 
 void MainWindow::connectParts() {
+    m_exporter =
+        new Exporter(m_document, m_jobs, m_paints, m_meshes, m_objectTextures, m_playback, *m_viewport, this);
+    connect(m_exporter, &Exporter::exported, this, &MainWindow::showNote);
     connect(&m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
     connect(&m_document, &Document::pathChanged, this, &MainWindow::showTitle);
     connect(&m_jobs, &JobRunner::failed, this, &MainWindow::showError);
@@ -369,62 +397,6 @@ bool MainWindow::mayDiscard() {
         this, tr("Unsaved Changes"), tr("%1 has changes that are not saved.").arg(m_document.name()),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
-}
-
-void MainWindow::exportPicture() {
-    const double ratio = m_viewport->devicePixelRatioF();
-    PictureSource source{m_document.project(),
-                         m_meshes.scene(),
-                         m_viewport->camera(),
-                         {},
-                         m_viewport->placements(),
-                         int(m_viewport->width() * ratio),
-                         int(m_viewport->height() * ratio)};
-    PictureSettings suggestion;
-    suggestion.width = source.viewportWidth;
-    suggestion.height = source.viewportHeight;
-    suggestion.background = viewportBackground;
-    suggestion.path = (folder() + "/" + m_document.name() + ".png").toStdString();
-    ExportDialog dialog(suggestion, this);
-    if (dialog.exec() != QDialog::Accepted) return;
-    for (int sample = 0; sample < int(source.project.samples.size()); ++sample) {
-        const Paints::State& state = m_paints.state(sample);
-        source.paints.push_back({state.levelsAreFinal ? state.levels : nullptr, m_paints.gradient(sample)});
-    }
-    for (int object = 0; object < int(source.scene.objects.size()); ++object)
-        source.objectTextures.push_back(
-            m_objectTextures.isFinal(object) ? m_objectTextures.textures()[std::size_t(object)] : nullptr);
-    source.scene.lights = m_playback.view().lights;
-    const PictureSettings settings = dialog.settings();
-    const QString name = QString::fromStdString(settings.path.filename().string());
-    m_jobs.start(
-        {tr("Exporting %1").arg(name), {}, {}, {}},
-        [source, settings](const Task& task) {
-            app::exportPicture(source, settings, task);
-            return true;
-        },
-        [this, path = settings.path](bool) {
-            showNote(tr("The picture is at %1").arg(QString::fromStdString(path.string())));
-        });
-}
-
-void MainWindow::renderAnimation() {
-    AnimationSettings suggestion;
-    suggestion.output = (folder() + "/" + m_document.name() + ".####.png").toStdString();
-    suggestion.background = viewportBackground;
-    AnimationDialog dialog(m_document.project().animation, suggestion, this);
-    if (dialog.exec() != QDialog::Accepted) return;
-    const QString name = QString::fromStdString(dialog.settings().output.filename().string());
-    m_jobs.start(
-        {tr("Rendering %1").arg(name), {}, {}, {}},
-        [project = m_document.project(), scene = m_meshes.scene(),
-         settings = dialog.settings()](const Task& task) {
-            exportAnimation(project, scene, settings, task);
-            return true;
-        },
-        [this, path = dialog.settings().output](bool) {
-            showNote(tr("The animation is at %1").arg(QString::fromStdString(path.string())));
-        });
 }
 
 void MainWindow::showError(const QString& message) {

@@ -22,10 +22,12 @@ class Viewport;
 
 namespace chiaro::app {
 
+class Exporter;
 class GradientDock;
 class HistoryDock;
 class JobsDock;
 class MethodSwitch;
+class MetricTools;
 class ParametersDock;
 class RecentFiles;
 class Safekeeping;
@@ -66,14 +68,13 @@ public:
     JobsDock& jobsDock() { return *m_jobsDock; }
     GradientDock& gradientDock() { return *m_gradientDock; }
     ViewPlanningDock& viewPlanningDock() { return *m_viewsDock; }
+    MetricTools& metrics() { return *m_metrics; }
     QString frameText() const;  ///< in the status bar: the method and its frame time
 
 public Q_SLOTS:
     /// False when the artist changed their mind or the disk refused.
     bool save();
     bool saveAs();
-    void exportPicture();
-    void renderAnimation();
     void showError(const QString& message);
     void showNote(const QString& message);
 
@@ -89,6 +90,7 @@ protected:
 private:
     void makeCentralView();
     void makeDocks();
+    void makeMetrics();
     void makeBottomDocks();
     void arrangeDocks();
     void makeToolBar();
@@ -126,6 +128,7 @@ private:
     ViewPlans m_viewPlans;
     ObjectTextures m_objectTextures;
     Opener m_opener;
+    std::unique_ptr<MetricTools> m_metrics;
 
     MethodSwitch* m_methods = nullptr;
     widgets::MessageBar* m_messages = nullptr;
@@ -139,6 +142,7 @@ private:
     JobsDock* m_jobsDock = nullptr;
     HistoryDock* m_historyDock = nullptr;
     ViewOverlays* m_viewOverlays = nullptr;
+    Exporter* m_exporter = nullptr;
     RecentFiles* m_recent = nullptr;
     Safekeeping* m_safekeeping = nullptr;
     QLabel* m_frameTime = nullptr;

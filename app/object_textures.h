@@ -49,6 +49,7 @@ public:
 
     /// Where fine textures are kept from one run to the next; nowhere without.
     void setCache(std::shared_ptr<const project::TextureCache> cache) { m_cache = std::move(cache); }
+    const std::shared_ptr<const project::TextureCache>& cache() const { return m_cache; }
 
 public Q_SLOTS:
     /// Makes again what was cancelled or failed.

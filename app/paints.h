@@ -67,6 +67,7 @@ public:
 
     /// A state for every sample of the document.
     const State& state(int sample) const { return m_states[std::size_t(sample)].shown; }
+    int sampleCount() const { return int(m_states.size()); }
     /// The colours that the sample shows now: its recolouring, or its own gradient; empty while unknown.
     gradient::Gradient gradient(int sample) const;
     /// True while the sample is read or separated.

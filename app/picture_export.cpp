@@ -1,5 +1,6 @@
 #include "app/picture_export.h"
 
+#include "app/worn_scene.h"
 #include "core/base/image_io.h"
 #include "core/project/pipeline.h"
 
@@ -66,30 +67,8 @@ methods::Frame placedFrame(PictureSource source, const scene::GBuffer& gbuffer, 
 /// The textures of the objects' own views; those that are not there yet are made.
 methods::Frame viewDependentFrame(const PictureSource& source, const scene::GBuffer& gbuffer,
                                   const Task& task) {
-    std::vector<project::Paint> paints(source.paints.size());
-    for (std::size_t i = 0; i < paints.size(); ++i) paints[i].shown = source.paints[i].gradient;
-    project::Paint bare;
-    bare.shown = unpainted().gradient;
-    project::WornPaints worn;
-    const double share = 0.9 / double(std::max<std::size_t>(source.scene.objects.size(), 1));
-    for (std::size_t i = 0; i < source.scene.objects.size(); ++i) {
-        const scene::Object& object = source.scene.objects[i];
-        const bool isPainted = std::size_t(object.sample) < paints.size();
-        project::Paint& paint = isPainted ? paints[std::size_t(object.sample)] : bare;
-        project::Worn& one = worn.emplace_back(
-            project::Worn{&paint, i < source.objectTextures.size() ? source.objectTextures[i] : nullptr,
-                          glm::inverse(object.transform)});
-        if (!isPainted || !object.visible || !object.mesh) continue;
-        const Task part = task.part(share * double(i), share * double(i + 1));
-        if (paint.shown.empty() || (!one.views && paint.strip.empty()))
-            paint =
-                project::separatePaint(source.project.samples[std::size_t(object.sample)], part.part(0, 0.1));
-        if (!one.views)
-            one.views = project::paintObject(
-                source.project, project::planObject(source.project, source.scene, i, part.part(0.1, 0.3)),
-                paint, part.part(0.3, 1));
-    }
-    return project::renderFrame(source.project, worn, gbuffer, task.part(0.9, 1)).frame;
+    const WornScene worn(source, task.part(0, 0.9));
+    return project::renderFrame(source.project, worn.worn(), gbuffer, task.part(0.9, 1)).frame;
 }
 
 ColorImage scaled(const ColorImage& texture, float factor) {

@@ -1,3 +1,4 @@
+#include "app/cli/path_flags.h"
 #include "app/cli/picture_output.h"
 #include "app/cli/project_source.h"
 #include "core/base/error.h"
@@ -43,8 +44,7 @@ struct AnimateCommand {
     std::vector<std::function<void(methods::CoherenceParams&)>> coherenceFlags;
     std::filesystem::path output;
     std::string frames;  ///< empty: the project's, where something moves in it
-    std::string path;    ///< empty: likewise
-    int period = 48;
+    PathFlags path{"turntable"};
     std::optional<double> framesPerSecond;
     bool resume = false;
 
@@ -59,7 +59,7 @@ struct AnimateCommand {
         const FrameRange range = rangeOf(project.animation);
         if (!coherenceFlags.empty() && !source.methodGiven()) project.method = "image-based";
         for (const auto& apply : coherenceFlags) apply(project.coherence);
-        const scene::Path way = pathOf(project.animation);
+        const scene::Path way = keyed(project.animation) ? project.animation.path : path.path();
         refuseInputs(project, range);
         Stopwatch stopwatch;
         const LoadedProject loaded = loadProject(std::move(project), task.part(0, 0.1));
@@ -71,10 +71,17 @@ struct AnimateCommand {
         const int resumed = makesVideo() ? makeVideo(shot, range, task.part(0.3, 1))
                                          : makeFrames(shot, range, task.part(0.3, 1));
         const double seconds = stopwatch.lap();
-        session.finish(
-            {{"frames", range.count()}, {"seconds", seconds}, {"resumed", resumed}},
-            fmt::format("{}: {} frames{}, {:.2f} s", output.string(), range.count(),
-                        resumed > 0 ? fmt::format(", {} of them finished before", resumed) : "", seconds));
+        session.finish({{"frames", range.count()}, {"seconds", seconds}, {"resumed", resumed}},
+                       fmt::format("{}: {} frames{}{}, {:.2f} s", output.string(), range.count(),
+                                   resumed > 0 ? fmt::format(", {} of them finished before", resumed) : "",
+                                   padding(size), seconds));
+    }
+
+    /// Videos take even sides only.
+    std::string padding(glm::ivec2 size) const {
+        const glm::ivec2 even = (size + 1) / 2 * 2;
+        if (!makesVideo() || even == size) return {};
+        return fmt::format(", padded to {} x {} px, since videos have even sides", even.x, even.y);
     }
 
     void checkFlags() const {
@@ -93,20 +100,18 @@ struct AnimateCommand {
         FrameRange range{1, 48};
         if (!frames.empty())
             usageFrom("--frames", [&] { range = FrameRange::parse(frames); });
-        else if (path.empty() && animation.path.moves())
+        else if (keyed(animation))
             range = {animation.firstFrame, animation.lastFrame};
         return range;
     }
 
-    scene::Path pathOf(const project::Animation& animation) const {
-        if (path.empty() && animation.path.moves()) return animation.path;
-        if (path.empty() || path == "turntable") return scene::Path::turntable(period);
-        if (path == "light") return scene::Path::lightSweep(period);
-        return project::readPath(path);
+    /// Whether the project's keys are to be followed.
+    bool keyed(const project::Animation& animation) const {
+        return !path.isGiven() && animation.path.moves();
     }
 
     void refuseInputs(const project::Project& project, FrameRange range) const {
-        std::vector<std::filesystem::path> inputs{source.path(), path};
+        std::vector<std::filesystem::path> inputs{source.path(), path.name()};
         for (const project::MeshFile& mesh : project.meshes) inputs.push_back(mesh.path);
         for (const project::Sample& sample : project.samples) inputs.push_back(sample.scan);
         if (makesVideo()) return refuseOverwriting(inputs, {output});
@@ -119,11 +124,10 @@ struct AnimateCommand {
         json.update(paintParameters(shot.project));
         json.update(parametersToJson(shot.project.coherence));
         json.update(sceneParameters(shot.project));
-        const bool isOfProject = path.empty() && shot.project.animation.path.moves();
-        json["path"] = isOfProject    ? "project"
-                       : path.empty() ? "turntable"
-                                      : std::filesystem::path(path).filename().string();
-        json["period"] = period;
+        if (keyed(shot.project.animation))
+            json["path"] = "project";
+        else
+            json.update(path.parameters());
         json["frame"] = frame;
         json["content"] = fmt::format("{:016x}", content);
         return pictureMetadata("animate", json);
@@ -203,17 +207,9 @@ void addAnimateCommand(CLI::App& root, Session& session) {
         ->required();
     command->add_option(
         "--frames", state->frames,
-        "First and last frame, as 1-48 (default: the project's render range if it has keys, else "
-        "1-48); any part of a path gives the frames "
-        "that the whole path gives");
-    command->add_option(
-        "--path", state->path,
-        "turntable (the camera goes around, from the project's view on), light (the lights go "
-        "around +Y), or a JSON file of camera and light keys (default: the keys of the project's timeline, "
-        "or "
-        "turntable if it has none)");
-    command->add_option("--period", state->period, "Frames in which a turn goes around once (default 48)")
-        ->check(CLI::Range(1, 100000));
+        "First and last frame, as 1-48 (default: the project's render range if its timeline has keys, else "
+        "1-48); any part of a path gives the frames that the whole path gives");
+    state->path.addTo(*command, "the keys of the project's timeline, or turntable if it has none");
     addCoherenceFlags(*command, *state);
     command
         ->add_option("--fps", state->framesPerSecond,

@@ -70,6 +70,7 @@ int run(int argc, const char* const* argv) {
     addViewsCommand(root, session);
     addMeasureCommand(root, session);
     addCompareCommand(root, session);
+    addExportCommand(root, session);
     addDemoCommand(root, session);
     try {
         root.parse(argc, argv);

@@ -1,8 +1,9 @@
+#include "app/cli/path_flags.h"
 #include "app/cli/picture_output.h"
 #include "app/cli/project_source.h"
 #include "app/cli/sheet.h"
 #include "core/base/atomic_file.h"
-#include "core/project/comparison.h"
+#include "core/project/comparison_report.h"
 #include "core/project/render_method.h"
 #include "core/scene/mesh_io.h"
 
@@ -17,68 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using metrics::Estimate;
 using project::MethodMeasure;
-
-/// What the report found (its table in §5), for the same columns; it states object-space coherence in words
-/// only.
-struct Reported {
-    const char* method;
-    double similarity, shading, temporal;
-};
-constexpr std::array<Reported, 3> reported{{{"image-based", 0.07539, 0.00536, 0.00297},
-                                            {"view-aligned", 0.08048, 0.00521, 0.00016},
-                                            {"view-dependent", 0.10197, 0.00582, 0.00547}}};
-
-struct Row {
-    const char* name;
-    Estimate MethodMeasure::*measure;
-    double Reported::*reported;  ///< null where the report gives no number
-};
-constexpr std::array<Row, 5> rows{
-    {{"Texture similarity", &MethodMeasure::similarity, &Reported::similarity},
-     {"Shading, mean squared", &MethodMeasure::shadingSquared, &Reported::shading},
-     {"Shading, mean absolute", &MethodMeasure::shading, nullptr},
-     {"Temporal, image space", &MethodMeasure::temporalImage, &Reported::temporal},
-     {"Temporal, object space", &MethodMeasure::temporalObject, nullptr}}};
-
-const Reported* reportedOf(const std::string& method) {
-    const auto found = std::ranges::find(reported, method, &Reported::method);
-    return found == reported.end() ? nullptr : &*found;
-}
-
-std::string reportedText(const Row& row, const std::string& method) {
-    const Reported* const one = reportedOf(method);
-    return one && row.reported ? fmt::format("{:.5f}", one->*row.reported) : std::string();
-}
-
-std::string markdownOf(const std::vector<MethodMeasure>& table) {
-    std::string head = "| error, smaller is better |", rule = "| --- |";
-    for (const MethodMeasure& method : table) {
-        head += fmt::format(" {} | report |", project::renderMethod(method.method).label);
-        rule += " --- | --- |";
-    }
-    std::string text = head + "\n" + rule + "\n";
-    for (const Row& row : rows) {
-        text += fmt::format("| {} |", row.name);
-        for (const MethodMeasure& method : table) {
-            const Estimate& estimate = method.*row.measure;
-            text += fmt::format(" {:.5f} ± {:.5f} | {} |", estimate.mean, estimate.standardError,
-                                reportedText(row, method.method));
-        }
-        text += "\n";
-    }
-    return text;
-}
-
-std::string csvOf(const std::vector<MethodMeasure>& table) {
-    std::string text = "measure,method,error,standard_error,pixels,report\n";
-    for (const Row& row : rows)
-        for (const MethodMeasure& method : table) {
-            const Estimate& estimate = method.*row.measure;
-            text += fmt::format("\"{}\",{},{:.7f},{:.7f},{},{}\n", row.name, method.method, estimate.mean,
-                                estimate.standardError, estimate.count, reportedText(row, method.method));
-        }
-    return text;
-}
 
 nlohmann::json jsonOf(const std::vector<MethodMeasure>& table) {
     nlohmann::json json;
@@ -101,8 +40,9 @@ struct CompareCommand {
     ProjectSource source;
     fs::path folder;
     std::string size = "512x512";
-    int period = 48;
-    project::ComparisonParams params;
+    std::string settings = "report";
+    PathFlags path{"approach"};
+    project::ComparisonParams params{.measure = {.pixels = 1000}};
 
     void run(Session& session) const {
         session.start();
@@ -110,21 +50,50 @@ struct CompareCommand {
         const glm::ivec2 pixels = sizeFrom("--size", size);
         wanted.width = pixels.x;
         wanted.height = pixels.y;
-        const project::Project project = source.load();
+        project::Project project = source.load();
+        if (settings == "report") project = project::animatedAsReported(std::move(project));
         const scene::Scene scene = readScene(project);
         const project::TextureCache cache(project::TextureCache::standardFolder());
         Stopwatch stopwatch;
-        const auto table = project::compareMethods(project, scene, scene::Path::turntable(period), wanted,
-                                                   session.task("compare"), &cache);
-        const std::string markdown = markdownOf(table);
-        writeFileAtomically(folder / "table.md", markdown);
-        writeFileAtomically(folder / "table.csv", csvOf(table));
+        const auto table =
+            project::compareMethods(project, scene, path.path(), wanted, session.task("compare"), &cache);
+        const std::string markdown = project::comparisonMarkdown(table);
+        writeFileAtomically(folder / "table.md", markdown + "\n" + measuredWhat(project, wanted));
+        writeFileAtomically(folder / "table.csv", project::comparisonCsv(table));
+        writeFileAtomically(folder / "frames.csv", project::framesCsv(table));
         writePictures(project, table);
-        nlohmann::json json{{"methods", jsonOf(table)},
-                            {"frames", wanted.frames},
-                            {"seeds", wanted.seeds},
-                            {"seconds", stopwatch.lap()}};
+        nlohmann::json json{
+            {"methods", jsonOf(table)},  {"frames", wanted.frames},         {"path", path.name()},
+            {"settings", settings},      {"pixels", wanted.measure.pixels}, {"seeds", wanted.seeds},
+            {"seconds", stopwatch.lap()}};
         session.finish(json, markdown);
+    }
+
+    static std::string meshNames(const project::Project& project) {
+        std::string names;
+        for (const project::MeshFile& mesh : project.meshes)
+            names += (names.empty() ? "" : ", ") + mesh.path.filename().string();
+        return names;
+    }
+
+    /// Below the table: what it is of, and the pictures.
+    std::string measuredWhat(const project::Project& project, const project::ComparisonParams& wanted) const {
+        std::string text = fmt::format(
+            "{} frames of {} ({}), {} x {} px, {} pixels measured in each, {} seeds; blocks of {} px. "
+            "Methods "
+            "animate {}. ± is the standard error. The report measured another mesh, sample and animation: "
+            "the "
+            "order of its figures is to be compared, not their size.\n",
+            wanted.frames, meshNames(project), path.name(), wanted.width, wanted.height,
+            wanted.measure.pixels, wanted.seeds, wanted.measure.block,
+            settings == "report" ? "as the report describes them" : "as the project says");
+        std::string names;
+        for (const project::RenderMethod& method : project::renderMethods())
+            names += (names.empty() ? "" : ", ") + std::string(method.label);
+        text += "\nFrom left to right: " + names + ".\n\n";
+        for (int frame = 1; frame <= wanted.frames; ++frame)
+            text += fmt::format("![frame {0}](frame.{0:04}.png)\n", frame);
+        return text;
     }
 
     /// The methods side by side, a picture a frame.
@@ -136,6 +105,8 @@ struct CompareCommand {
                 pictures.push_back(methods::over(method.frames[frame], glm::vec3(1)));
                 parameters["methods"].push_back(method.method);
             }
+            parameters.update(path.parameters());
+            parameters["settings"] = settings;
             parameters["frame"] = frame + 1;
             writeImage(folder / fmt::format("frame.{:04}.png", frame + 1),
                        contactSheet(pictures, int(pictures.size()), 8),
@@ -148,23 +119,30 @@ struct CompareCommand {
 
 void addCompareCommand(CLI::App& root, Session& session) {
     CLI::App* command = root.add_subcommand(
-        "compare", "Paint a turntable by every method and measure it: the report's table (§5)");
+        "compare", "Paint an animation by every method and measure it: the report's table (§5)");
     auto state = std::make_shared<CompareCommand>();
     state->source.addTo(*command);
     command
         ->add_option("-o,--output", state->folder,
-                     "Folder for table.md, table.csv and frame.####.png, the methods side by side")
+                     "Folder for table.md, table.csv, frames.csv (every frame alone) and frame.####.png, the "
+                     "methods side by side")
         ->required();
     command->add_option("--size", state->size, "WIDTHxHEIGHT of the frames (default 512x512)");
     command->add_option("--frames", state->params.frames, "Frames that are measured (2..1000; default 8)")
         ->check(CLI::Range(2, 1000));
-    command->add_option("--period", state->period, "Frames in which the turntable goes around (default 48)")
-        ->check(CLI::Range(1, 100000));
+    state->path.addTo(*command);
+    command
+        ->add_option("--settings", state->settings,
+                     "How methods animate: report (image-based frames stay close to the frame before, the 3D "
+                     "texture keeps its scale, whatever --follow-zoom says) or project (as the project and "
+                     "the flags say; default report)")
+        ->check(CLI::IsMember({"report", "project"}));
     command->add_option("--seeds", state->params.seeds, "Syntheses to average over (1..100; default 5)")
         ->check(CLI::Range(1, 100));
     command
         ->add_option("--pixels", state->params.measure.pixels,
-                     "Pixels measured in each frame (1..; default 100)")
+                     "Pixels measured in each frame (1..; default 1000, since methods differ by a few "
+                     "hundredths of the error's own size)")
         ->check(CLI::Range(1, 1 << 24));
     session.addCommonFlags(*command);
     command->callback([state, &session] { state->run(session); });

@@ -97,6 +97,7 @@ void addAnimateCommand(CLI::App& root, Session& session);
 void addViewsCommand(CLI::App& root, Session& session);
 void addMeasureCommand(CLI::App& root, Session& session);
 void addCompareCommand(CLI::App& root, Session& session);
+void addExportCommand(CLI::App& root, Session& session);
 void addDemoCommand(CLI::App& root, Session& session);
 
 }  // namespace chiaro::cli

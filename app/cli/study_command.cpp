@@ -27,20 +27,21 @@ struct StudyCommand {
         const Task task = session.task("study");
         const std::vector<metrics::StudyPoint> points = metrics::runStudy(textures, params, task);
         writeFileAtomically(folder / "study.csv", metrics::studyCsv(points));
-        for (const metrics::StudyFigure& figure : metrics::studyFigures(points))
-            writeFileAtomically(folder / (figure.name + ".svg"), figure.svg);
-        writeImage(folder / "distortions.png", sheetOf(textures),
-                   pictureMetadata("measure study",
-                                   {{"sample", source.path().filename().string()}, {"seed", params.seed}}));
+        const ImageMetadata metadata = pictureMetadata(
+            "measure study", {{"sample", source.path().filename().string()}, {"seed", params.seed}});
+        for (const metrics::StudyFigure& figure : metrics::studyFigures(points)) {
+            writeFileAtomically(folder / (figure.name + ".svg"), figure.svg());
+            writeImage(folder / (figure.name + ".png"), figure.picture(), metadata);
+        }
+        writeImage(folder / "distortions.png", sheetOf(textures), metadata);
         const double seconds = stopwatch.lap();
-        session.finish(
-            {{"points", points.size()},
-             {"textures", textures.size()},
-             {"blocks", params.blocks},
-             {"seconds", seconds}},
-            fmt::format("{}: study.csv, rotation.svg, scale.svg, discontinuity.svg, distortions.png; "
-                        "{} points in {:.1f} s",
-                        folder.string(), points.size(), seconds));
+        session.finish({{"points", points.size()},
+                        {"textures", textures.size()},
+                        {"blocks", params.blocks},
+                        {"seconds", seconds}},
+                       fmt::format("{}: study.csv; rotation, scale and discontinuity as .svg and .png; "
+                                   "distortions.png; {} points in {:.1f} s",
+                                   folder.string(), points.size(), seconds));
     }
 
     /// What the metric was shown: a row a texture, as it is and in some of its distortions, the same part of
@@ -78,8 +79,10 @@ void addStudyCommand(CLI::App& measure, Session& session) {
     auto state = std::make_shared<StudyCommand>();
     state->source.addStripTo(*command, "--sample")->required();
     command
-        ->add_option("-o,--output", state->folder,
-                     "Folder for study.csv, rotation.svg, scale.svg, discontinuity.svg and distortions.png")
+        ->add_option(
+            "-o,--output", state->folder,
+            "Folder for study.csv, the curves of rotation, scale and discontinuity, each as .svg and "
+            ".png, and distortions.png")
         ->required();
     command
         ->add_option_function<std::string>(

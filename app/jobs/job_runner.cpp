@@ -76,6 +76,7 @@ void JobRunner::finish(int number, const std::function<void()>& done, const QStr
 }
 
 void JobRunner::tellEnd(int number, const Job& job, Ending::Kind kind, const QString& reason) {
+    if (job.spec.isQuiet) return;
     Q_EMIT jobEnded({number, job.spec.title, kind, reason, job.seconds()});
 }
 
@@ -89,7 +90,7 @@ void JobRunner::ended() {
 std::vector<JobRunner::JobInfo> JobRunner::jobs() const {
     std::vector<JobInfo> list;
     for (const auto& [number, job] : m_jobs)
-        list.push_back({number, job->spec.title, job->progress, job->seconds()});
+        if (!job->spec.isQuiet) list.push_back({number, job->spec.title, job->progress, job->seconds()});
     return list;
 }
 
@@ -126,7 +127,7 @@ void JobRunner::cancel(int number) {
 }
 
 void JobRunner::cancelAll() {
-    for (const JobInfo& job : jobs()) cancel(job.number);
+    while (!m_jobs.empty()) cancel(m_jobs.begin()->first);
 }
 
 }  // namespace chiaro::app

@@ -21,6 +21,7 @@ struct JobSpec {
     QString slot;   ///< starting a job stops the one of the same slot and drops its result; empty: its own
     std::function<void(const QString& message)> failed;  ///< without one the runner's failed() tells it
     std::function<void()> cancelled;                     ///< by the artist; never when it was superseded
+    bool isQuiet = false;  ///< short, and too frequent to be told of or cancelled: jobs() leaves it out
 };
 
 /// Runs work longer than a frame off the GUI thread.

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <list>
 #include <unistd.h>
 
 namespace chiaro {
@@ -65,13 +66,24 @@ void AtomicFile::commit() {
     m_committed = true;
 }
 
-void writeFileAtomically(const fs::path& path, std::string_view bytes) {
-    AtomicFile file(path);
-    std::ofstream stream(file.temporaryPath(), std::ios::binary);
+void AtomicFile::write(std::string_view bytes) const {
+    std::ofstream stream(m_temporary, std::ios::binary);
     stream.write(bytes.data(), std::streamsize(bytes.size()));
     stream.close();
-    if (!stream) throw writeError(path, std::strerror(errno));
+    if (!stream) throw writeError(m_destination, std::strerror(errno));
+    flushToDisk(m_temporary, m_destination, O_RDONLY);
+}
+
+void writeFileAtomically(const fs::path& path, std::string_view bytes) {
+    AtomicFile file(path);
+    file.write(bytes);
     file.commit();
+}
+
+void writeFilesAtomically(const std::vector<NamedBytes>& files) {
+    std::list<AtomicFile> written;
+    for (const NamedBytes& file : files) written.emplace_back(file.path).write(file.bytes);
+    for (AtomicFile& file : written) file.commit();
 }
 
 std::string readFile(const fs::path& path, std::uintmax_t limit) {

@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace chiaro {
 
@@ -20,6 +22,9 @@ public:
 
     /// Where to write meanwhile: the same folder, the same extension.
     const std::filesystem::path& temporaryPath() const { return m_temporary; }
+    /// Writes the bytes under the temporary name and flushes them to the disk, every write checked. Throws
+    /// Error naming the destination.
+    void write(std::string_view bytes) const;
     /// Flushes to the disk and renames. Throws Error naming the destination; the old file is then intact.
     void commit();
 
@@ -31,6 +36,15 @@ private:
 
 /// Writes the bytes as an AtomicFile, every write checked. Throws Error naming the path.
 void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// A file's name and what it is to hold.
+struct NamedBytes {
+    std::filesystem::path path;
+    std::string bytes;
+};
+/// Writes files that belong together: none gets its name before all of them are written and flushed to the
+/// disk. Throws Error naming the one that failed.
+void writeFilesAtomically(const std::vector<NamedBytes>& files);
 
 /// Reads a whole file of at most `limit` bytes. Throws Error when it is missing, no file, or larger.
 std::string readFile(const std::filesystem::path& path, std::uintmax_t limit);

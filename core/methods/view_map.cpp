@@ -36,10 +36,26 @@ Image<std::uint32_t> grown(const Image<std::uint32_t>& faces) {
     return result;
 }
 
+/// Which face of a group each texel of its map shows. Where nothing else is, a face too small to cover a
+/// texel's centre has the texel it lies in.
+Image<std::uint32_t> drawnFaces(const views::Surface& surface, const views::FaceGroup& group) {
+    Image<std::uint32_t> drawn = views::drawGroup(surface, group).face;
+    const views::Projector projector(group.view);
+    const glm::ivec2 last(group.view.size - 1);
+    for (const std::uint32_t face : group.faces) {
+        const glm::dvec3 middle =
+            (surface.corner(face, 0) + surface.corner(face, 1) + surface.corner(face, 2)) / 3.0;
+        const glm::dvec2 place(projector.project(middle));
+        const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(place)), glm::ivec2(0), last);
+        if (drawn(texel.x, texel.y) == views::noFace) drawn(texel.x, texel.y) = face;
+    }
+    return drawn;
+}
+
 }  // namespace
 
 ViewMap ViewMap::of(const PlannedObject& object, std::size_t group) {
-    const Image<std::uint32_t> drawn = views::drawGroup(object.surface, object.plan.groups[group]).face;
+    const Image<std::uint32_t> drawn = drawnFaces(object.surface, object.plan.groups[group]);
     glm::ivec2 low(drawn.width(), drawn.height()), high(-1);
     for (int y = 0; y < drawn.height(); ++y)
         for (int x = 0; x < drawn.width(); ++x) {

@@ -3,6 +3,7 @@
 #include "core/base/random.h"
 #include "core/methods/view_map.h"
 
+#include <glm/gtc/noise.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -13,9 +14,15 @@ namespace chiaro::methods {
 
 namespace {
 
-/// A view copies from another that sees the face at least this well in proportion; from a worse one the
-/// strokes would come stretched.
-constexpr float goodEnough = 0.6f;
+/// A view copies from another that sees the face at least as well: where the two meet, strokes are then
+/// equally stretched on both sides, and run on. By this much, as the logarithm of the proportion, the border
+/// swings to and fro, once in so many blocks, so that a change of the strokes' direction is not ruled along a
+/// line.
+constexpr float borderSwing = 0.4f;
+constexpr float borderWave = 1.5f;
+
+/// Texels a side of the map of a view along a needle.
+constexpr int leastMapSize = 32;
 
 /// Where a texel's texture comes from in a view that is done.
 struct Copy {
@@ -143,7 +150,7 @@ private:
     }
 
     /// Where each texel of a view is to be copied from: from the view that sees its face best among those
-    /// that are done, where that one sees it well enough. Single texels follow most of their neighbours.
+    /// that are done, where that one sees it as well. Single texels follow most of their neighbours.
     Image<std::optional<Copy>> copiesFor(std::size_t group) const {
         const ViewMap& map = m_maps[group];
         std::map<std::size_t, ViewMapping> ways;
@@ -157,7 +164,7 @@ private:
                 covered(x, y) = 1;
                 float ratio = 0;
                 copies(x, y) = bestCopy(group, map.face(x, y), map.center(x, y), ways, ratio);
-                wanted(x, y) = copies(x, y) && ratio >= goodEnough;
+                wanted(x, y) = copies(x, y) && ratio >= leastRatio(map.center(x, y));
             }
         });
         const int radius = std::max(m_sources.front().quilt.block / 4, 1);
@@ -165,6 +172,12 @@ private:
         for (std::size_t i = 0; i < copies.pixelCount(); ++i)
             if (2 * wantedSums.pixels()[i] < coveredSums.pixels()[i]) copies.pixels()[i].reset();
         return copies;
+    }
+
+    /// How well another view must see the place for its texture to be taken.
+    float leastRatio(glm::vec2 position) const {
+        const float wave = borderWave * float(m_sources.front().quilt.block);
+        return std::exp(borderSwing * glm::perlin(position / wave));
     }
 
     /// `ratio` tells how well that view sees the face in proportion to this one.
@@ -225,13 +238,25 @@ private:
     ViewTextures m_textures;
 };
 
+/// Makes the maps of views that come closer smaller, so that strokes are of one size all over the object.
+void evenDensity(views::ViewPlan& plan) {
+    double widest = 0;
+    for (const views::FaceGroup& group : plan.groups) widest = std::max(widest, group.view.halfExtent);
+    for (views::FaceGroup& group : plan.groups) {
+        const double share = group.view.halfExtent / widest;
+        group.view.size = std::max(int(std::lround(group.view.size * share)), leastMapSize);
+    }
+}
+
 }  // namespace
 
 std::shared_ptr<const PlannedObject> planObject(std::shared_ptr<const scene::Mesh> mesh,
                                                 const views::ViewParams& params,
                                                 const std::vector<views::View>& kept, const Task& task) {
     views::Surface surface(std::move(mesh));
-    views::ViewPlan plan = views::planViews(surface, params, kept, task);
+    views::ViewPlan plan = views::withSteepFacesSeen(
+        surface, views::planViews(surface, params, kept, task.part(0, 0.8)), params, task.part(0.8, 1));
+    evenDensity(plan);
     return std::make_shared<const PlannedObject>(PlannedObject{std::move(surface), std::move(plan)});
 }
 
@@ -250,8 +275,10 @@ glm::vec3 ViewTexture::at(std::size_t level, glm::vec2 position) const {
     const glm::ivec2 base(place);
     const glm::vec2 t = place - glm::vec2(base);
     const glm::ivec2 next = glm::min(base + 1, glm::ivec2(last));
-    return glm::mix(glm::mix(unpacked(texels(base.x, base.y)), unpacked(texels(next.x, base.y)), t.x),
-                    glm::mix(unpacked(texels(base.x, next.y)), unpacked(texels(next.x, next.y)), t.x), t.y);
+    const auto row = [&](int y) {
+        return glm::mix(glm::vec3(texels(base.x, y)), glm::vec3(texels(next.x, y)), t.x);
+    };
+    return glm::mix(row(base.y), row(next.y), t.y) * (1 / 32767.0f);  // unpacks once what it reads four times
 }
 
 ViewTextures synthesizeViews(const PlannedObject& object, const std::vector<synthesis::LevelSource>& sources,

@@ -12,7 +12,9 @@ struct PlannedObject {
     views::ViewPlan plan;
 };
 
-/// Plans an object's views (§4.3.1 to 3). Throws Error, Cancelled.
+/// Plans an object's views (§4.3.1 to 3), with further ones of what they show steeply only. The map of the
+/// view that shows most across is as large as the params say, the others as much smaller as they come closer:
+/// strokes are then of one size from all views. Throws Error, Cancelled.
 std::shared_ptr<const PlannedObject> planObject(std::shared_ptr<const scene::Mesh> mesh,
                                                 const views::ViewParams& params,
                                                 const std::vector<views::View>& kept = {},
@@ -44,7 +46,7 @@ struct ViewTextures {
 /// on with the one that overlaps most with those that are done. `sources` are the levels' (synthesis::
 /// levelSources).
 ///
-/// With `propagate`, where a view sees a face about as well as one that is done, or less well, its texels are
+/// With `propagate`, where a view sees a face no better than one that is done, its texels are
 /// copied from there by the face's affine map and count as filled; quilting continues around them with cuts
 /// on any side. What was quilted anew is copied back into the views that are done. So each place of the
 /// surface has one texture, made in a view that sees it well, and all views agree. The bytes depend on the

@@ -23,14 +23,13 @@ void checkSizes(const MeasuredFrame& first, const MeasuredFrame& second) {
                     fmt::format("the first is {} x {}, and both must be of one size", a.width(), a.height()));
 }
 
-/// Mean d between pixels of the first frame and where `landing` takes them in the second.
+/// 1 at the pixels of the first frame that can be compared with where `landing` takes them in the second.
 template <class Landing>
-Estimate coherence(const Bins& bins, const MeasuredFrame& first, const MeasuredFrame& second,
-                   const MeasureParams& params, const Landing& landing) {
-    MeasureParams::table().check(params);
+Image<std::uint8_t> comparable(const MeasuredFrame& first, const MeasuredFrame& second, int block,
+                               const Landing& landing) {
     checkSizes(first, second);
-    Image<std::uint8_t> from = measurable(first, params.block);
-    const Image<std::uint8_t> to = measurable(second, params.block);
+    Image<std::uint8_t> from = measurable(first, block);
+    const Image<std::uint8_t> to = measurable(second, block);
     for (int y = 0; y < from.height(); ++y)
         for (int x = 0; x < from.width(); ++x) {
             if (!from(x, y)) continue;
@@ -38,6 +37,15 @@ Estimate coherence(const Bins& bins, const MeasuredFrame& first, const MeasuredF
             from(x, y) = end && to.contains(end->x, end->y) && to(end->x, end->y) &&
                          objectAt(first, {x, y}) == objectAt(second, *end);
         }
+    return from;
+}
+
+/// Mean d between pixels of the first frame and where `landing` takes them in the second.
+template <class Landing>
+Estimate coherence(const Bins& bins, const MeasuredFrame& first, const MeasuredFrame& second,
+                   const MeasureParams& params, const Landing& landing) {
+    MeasureParams::table().check(params);
+    const Image<std::uint8_t> from = comparable(first, second, params.block, landing);
     const BinImage before = binned(*first.picture, bins), after = binned(*second.picture, bins);
     std::vector<double> distances;
     for (const glm::ivec2 pixel : drawPixels(from, params.pixels, params.seed, "next picture"))
@@ -53,24 +61,50 @@ std::optional<glm::ivec2> pixelAt(glm::vec2 position) {
     return glm::ivec2(glm::floor(position));
 }
 
+std::optional<glm::ivec2> samePixel(glm::ivec2 pixel) {
+    return pixel;
+}
+
+/// Where a pixel's surface point lands.
+class SurfaceLanding {
+public:
+    SurfaceLanding(const MeasuredFrame& first, const SurfaceMotion& motion) : m_motion(motion) {
+        const Image<glm::vec2>& displacement = *motion.displacement;
+        const ColorImage& picture = *first.picture;
+        if (displacement.width() != picture.width() || displacement.height() != picture.height())
+            throw Error("motion",
+                        fmt::format("is {} x {} pixels", displacement.width(), displacement.height()),
+                        fmt::format("the picture is {} x {}, and both must be of one size", picture.width(),
+                                    picture.height()));
+    }
+    std::optional<glm::ivec2> operator()(glm::ivec2 pixel) const {
+        if (m_motion.seen && !(*m_motion.seen)(pixel.x, pixel.y)) return std::nullopt;
+        return pixelAt(glm::vec2(pixel) + 0.5f + (*m_motion.displacement)(pixel.x, pixel.y));
+    }
+
+private:
+    const SurfaceMotion& m_motion;
+};
+
 }  // namespace
+
+Image<std::uint8_t> comparableInImage(const MeasuredFrame& first, const MeasuredFrame& second, int block) {
+    return comparable(first, second, block, samePixel);
+}
 
 Estimate imageCoherence(const Bins& bins, const MeasuredFrame& first, const MeasuredFrame& second,
                         const MeasureParams& params) {
-    return coherence(bins, first, second, params, [](glm::ivec2 pixel) { return std::optional(pixel); });
+    return coherence(bins, first, second, params, samePixel);
+}
+
+Image<std::uint8_t> comparableOnObject(const MeasuredFrame& first, const MeasuredFrame& second,
+                                       const SurfaceMotion& motion, int block) {
+    return comparable(first, second, block, SurfaceLanding(first, motion));
 }
 
 Estimate objectCoherence(const Bins& bins, const MeasuredFrame& first, const MeasuredFrame& second,
                          const SurfaceMotion& motion, const MeasureParams& params) {
-    const Image<glm::vec2>& displacement = *motion.displacement;
-    if (displacement.width() != first.picture->width() || displacement.height() != first.picture->height())
-        throw Error("motion", fmt::format("is {} x {} pixels", displacement.width(), displacement.height()),
-                    fmt::format("the picture is {} x {}, and both must be of one size",
-                                first.picture->width(), first.picture->height()));
-    return coherence(bins, first, second, params, [&](glm::ivec2 pixel) -> std::optional<glm::ivec2> {
-        if (motion.seen && !(*motion.seen)(pixel.x, pixel.y)) return std::nullopt;
-        return pixelAt(glm::vec2(pixel) + 0.5f + displacement(pixel.x, pixel.y));
-    });
+    return coherence(bins, first, second, params, SurfaceLanding(first, motion));
 }
 
 Image<std::uint8_t> seenInBoth(const scene::GBuffer& first, const Image<scene::SeenPoint>& landings,

@@ -11,6 +11,9 @@ namespace chiaro::metrics {
 /// Frames are of one size; `bins` are the source's. Both throw Error when no pixel can be measured or when
 /// sizes differ.
 
+/// 1 at the pixels of the first frame whose blocks lie on one and the same object in both frames.
+Image<std::uint8_t> comparableInImage(const MeasuredFrame& first, const MeasuredFrame& second, int block);
+
 /// Image space: the same pixel in both frames. Both blocks lie on one and the same object.
 Estimate imageCoherence(const Bins& bins, const MeasuredFrame& first, const MeasuredFrame& second,
                         const MeasureParams& params);
@@ -24,6 +27,11 @@ struct SurfaceMotion {
     /// same object counts as seen.
     const Image<std::uint8_t>* seen = nullptr;
 };
+
+/// 1 at the pixels of the first frame whose surface points are seen in the second, both blocks on their
+/// object.
+Image<std::uint8_t> comparableOnObject(const MeasuredFrame& first, const MeasuredFrame& second,
+                                       const SurfaceMotion& motion, int block);
 
 /// Object space: the two pixels where the same surface point lands. Both blocks lie on its object.
 Estimate objectCoherence(const Bins& bins, const MeasuredFrame& first, const MeasuredFrame& second,

@@ -57,6 +57,11 @@ Image<std::uint8_t> measurable(const MeasuredFrame& frame, int block) {
     const ColorImage& picture = *frame.picture;
     checkSize("mask", frame.objects, picture);
     checkSize("light", frame.light, picture);
+    if (picture.width() < block || picture.height() < block)
+        throw Error("picture",
+                    fmt::format("is {} x {} pixels, smaller than a block of {} px", picture.width(),
+                                picture.height(), block),
+                    "choose a larger picture or a smaller block");
     const auto objectAt = [&](int x, int y) { return frame.objects ? (*frame.objects)(x, y) : 1; };
     Image<std::uint8_t> result(picture.width(), picture.height(), 0);
     // Side of the largest square of one object whose bottom right pixel this is, up to a block.
@@ -73,6 +78,10 @@ Image<std::uint8_t> measurable(const MeasuredFrame& frame, int block) {
             if (side(x, y) == block) result(x - block + 1 + block / 2, y - block + 1 + block / 2) = 1;
         }
     return result;
+}
+
+bool anyPixel(const Image<std::uint8_t>& mask) {
+    return std::ranges::any_of(mask.pixels(), [](std::uint8_t value) { return value != 0; });
 }
 
 std::vector<glm::ivec2> drawPixels(const Image<std::uint8_t>& from, int count, std::uint64_t seed,

@@ -34,8 +34,12 @@ struct Estimate {
 Estimate estimate(const std::vector<double>& values);
 
 /// Where blocks of `block` x `block` pixels lie inside the picture and wholly on one object (§5.1): 1 at the
-/// pixels that such a block surrounds, 0 elsewhere. Throws Error when the parts of the frame differ in size.
+/// pixels that such a block surrounds, 0 elsewhere. Throws Error when the parts of the frame differ in size
+/// or the picture is smaller than a block.
 Image<std::uint8_t> measurable(const MeasuredFrame& frame, int block);
+
+/// Whether a mask leaves anything to measure: a pixel that isn't 0.
+bool anyPixel(const Image<std::uint8_t>& mask);
 
 /// `count` of the pixels that aren't 0, each at most once, drawn by chance; all of them in raster order when
 /// `count` is 0 or not less than there are. Throws Error, saying `what` leaves no pixel, when there are none.

@@ -1,12 +1,15 @@
 #include "core/metrics/line_chart.h"
 
+#include "core/metrics/picture_canvas.h"
+#include "core/metrics/svg_canvas.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <span>
 
 namespace chiaro::metrics {
 
@@ -17,30 +20,8 @@ constexpr double left = 58, right = 14, top = 34, bottom = 72;
 constexpr double plotWidth = chartWidth - left - right, plotHeight = chartHeight - top - bottom;
 
 // Told apart by the colour-blind too (Okabe and Ito 2008).
-constexpr std::array colors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-        }
-    }
-    return result;
-}
+constexpr std::array<unsigned, 7> colors{0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7,
+                                         0xe69f00, 0x56b4e9, 0x000000};
 
 /// Round numbers, about five, over a range.
 std::vector<double> roundTicks(double least, double most) {
@@ -108,14 +89,14 @@ struct Range {
 
 class ChartWriter {
 public:
-    ChartWriter(std::string& svg, const LineChart& chart, Range rangeX, Range rangeY)
-        : m_svg(svg),
+    ChartWriter(ChartCanvas& canvas, const LineChart& chart, Range rangeX, Range rangeY)
+        : m_canvas(canvas),
           m_chart(chart),
           m_x(chart.x, rangeX.least, rangeX.most, left, left + plotWidth),
           m_y(chart.y, rangeY.least, rangeY.most, top + plotHeight, top) {}
 
     void write() {
-        add(R"(<text x="{:.1f}" y="20" class="title">{}</text>)", left, escaped(m_chart.title));
+        m_canvas.text({left, 20}, m_chart.title, Anchor::Start, Lettering::Title);
         writeAxes();
         for (std::size_t i = 0; i < m_chart.series.size(); ++i)
             writeSeries(m_chart.series[i], colors[i % colors.size()]);
@@ -123,46 +104,41 @@ public:
     }
 
 private:
-    template <class... Args>
-    void add(fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(m_svg), format, std::forward<Args>(args)...);
-        m_svg += '\n';
+    void line(std::initializer_list<glm::dvec2> points, Stroke stroke, unsigned color = 0) {
+        m_canvas.line(std::span(points.begin(), points.size()), stroke, color);
     }
 
     void writeAxes() {
+        constexpr double base = top + plotHeight;
         for (const double tick : m_y.ticks()) {
-            add(R"(<path d="M{:.1f} {:.1f}h{:.1f}" class="grid"/>)", left, m_y.at(tick), plotWidth);
-            add(R"(<text x="{:.1f}" y="{:.1f}" class="right">{:g}</text>)", left - 6, m_y.at(tick) + 4,
-                std::abs(tick) < 1e-12 ? 0 : tick);
+            line({{left, m_y.at(tick)}, {left + plotWidth, m_y.at(tick)}}, Stroke::Grid);
+            m_canvas.text({left - 6, m_y.at(tick) + 4},
+                          fmt::format("{:g}", std::abs(tick) < 1e-12 ? 0 : tick), Anchor::End);
         }
         for (const double tick : m_x.ticks()) {
-            add(R"(<path d="M{:.1f} {:.1f}v4" class="axis"/>)", m_x.at(tick), top + plotHeight);
-            add(R"(<text x="{:.1f}" y="{:.1f}" class="middle">{:g}</text>)", m_x.at(tick),
-                top + plotHeight + 17, tick);
+            line({{m_x.at(tick), base}, {m_x.at(tick), base + 4}}, Stroke::Axis);
+            m_canvas.text({m_x.at(tick), base + 17}, fmt::format("{:g}", tick), Anchor::Middle);
         }
-        add(R"(<path d="M{0:.1f} {1:.1f}v{2:.1f}h{3:.1f}" class="axis"/>)", left, top, plotHeight, plotWidth);
-        add(R"(<text x="{:.1f}" y="{:.1f}" class="middle">{}</text>)", left + plotWidth / 2,
-            top + plotHeight + 34, escaped(m_chart.x.label));
-        add(R"svg(<text transform="translate(14 {:.1f}) rotate(-90)" class="middle">{}</text>)svg",
-            top + plotHeight / 2, escaped(m_chart.y.label));
+        line({{left, top}, {left, base}, {left + plotWidth, base}}, Stroke::Axis);
+        m_canvas.text({left + plotWidth / 2, base + 34}, m_chart.x.label, Anchor::Middle);
+        m_canvas.text({14, top + plotHeight / 2}, m_chart.y.label, Anchor::Upward);
     }
 
-    void writeSeries(const Series& series, const char* color) {
-        std::string line, bars;
+    void writeSeries(const Series& series, unsigned color) {
+        std::vector<glm::dvec2> curve;
         for (const ChartPoint& point : series.points) {
             const double x = m_x.at(point.x);
-            line += fmt::format("{}{:.1f} {:.1f}", line.empty() ? "M" : "L", x, m_y.at(point.y));
+            curve.emplace_back(x, m_y.at(point.y));
             if (point.error > 0)
-                bars += fmt::format("M{:.1f} {:.1f}V{:.1f}", x, m_y.at(point.y - point.error),
-                                    m_y.at(point.y + point.error));
+                line({{x, m_y.at(point.y - point.error)}, {x, m_y.at(point.y + point.error)}}, Stroke::Bar,
+                     color);
         }
-        if (line.empty()) return;
-        add(R"(<g stroke="{0}" fill="{0}"><path d="{1}" class="bar"/><path d="{2}" class="curve"/>)", color,
-            bars, line);
-        for (const ChartPoint& point : series.points)
-            add(R"(<circle cx="{:.1f}" cy="{:.1f}" r="2.2"><title>{}: {:.4g}, {:.5f}</title></circle>)",
-                m_x.at(point.x), m_y.at(point.y), escaped(series.name), point.x, point.y);
-        m_svg += "</g>\n";
+        if (curve.empty()) return;
+        m_canvas.line(curve, Stroke::Curve, color);
+        for (std::size_t i = 0; i < curve.size(); ++i)
+            m_canvas.dot(
+                curve[i], color,
+                fmt::format("{}: {:.4g}, {:.5f}", series.name, series.points[i].x, series.points[i].y));
     }
 
     void writeLegend() {
@@ -170,48 +146,56 @@ private:
         const double y = chartHeight - 12;
         for (std::size_t i = 0; i < m_chart.series.size(); ++i) {
             const double x = left + step * double(i);
-            add(R"(<path d="M{:.1f} {:.1f}h14" stroke="{}" class="curve"/>)", x, y - 4,
-                colors[i % colors.size()]);
-            add(R"(<text x="{:.1f}" y="{:.1f}">{}</text>)", x + 18, y, escaped(m_chart.series[i].name));
+            line({{x, y - 4}, {x + 14, y - 4}}, Stroke::Curve, colors[i % colors.size()]);
+            m_canvas.text({x + 18, y}, m_chart.series[i].name, Anchor::Start);
         }
     }
 
-    std::string& m_svg;
+    ChartCanvas& m_canvas;
     const LineChart& m_chart;
     Scale m_x, m_y;
 };
 
+std::size_t inRow(int columns) {
+    return std::size_t(std::max(columns, 1));
+}
+
+glm::dvec2 sizeOf(const std::vector<LineChart>& charts, int columns) {
+    const std::size_t perRow = inRow(columns), rows = (charts.size() + perRow - 1) / perRow;
+    return {chartWidth * double(std::clamp<std::size_t>(charts.size(), 1, perRow)),
+            chartHeight * double(std::max<std::size_t>(rows, 1))};
+}
+
+void draw(const std::vector<LineChart>& charts, int columns, ChartCanvas& canvas) {
+    const std::size_t perRow = inRow(columns);
+    for (std::size_t first = 0; first < charts.size(); first += perRow) {
+        const auto row = std::span(charts).subspan(first, std::min(perRow, charts.size() - first));
+        Range rangeY;
+        for (const LineChart& chart : row)
+            for (const Series& series : chart.series)
+                for (const ChartPoint& point : series.points) rangeY.add(point.y + point.error);
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            Range rangeX;
+            for (const Series& series : row[i].series)
+                for (const ChartPoint& point : series.points) rangeX.add(point.x);
+            canvas.moveTo({chartWidth * double(i), chartHeight * double(first / perRow)});
+            ChartWriter(canvas, row[i], rangeX.orUnit(), rangeY.orUnit()).write();
+        }
+    }
+}
+
 }  // namespace
 
 std::string svgOf(const std::vector<LineChart>& charts, int columns) {
-    const std::size_t perRow = std::size_t(std::max(columns, 1));
-    const std::size_t rows = (charts.size() + perRow - 1) / perRow;
-    std::string svg = fmt::format(
-        R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}">
-<style>text{{font:11px sans-serif;fill:#333}}.title{{font-weight:bold;font-size:13px}}.middle{{text-anchor:middle}}
-.right{{text-anchor:end}}.grid{{stroke:#e4e4e4}}.axis{{stroke:#555;fill:none}}.bar{{stroke-width:1;opacity:.5}}
-.curve{{stroke-width:1.8;fill:none;stroke-linejoin:round}}</style>
-<rect width="100%" height="100%" fill="#fff"/>
-)",
-        chartWidth * double(std::min(perRow, std::max<std::size_t>(charts.size(), 1))),
-        chartHeight * double(rows));
-    for (std::size_t row = 0; row < rows; ++row) {
-        const std::size_t first = row * perRow, last = std::min(first + perRow, charts.size());
-        Range rangeY;
-        for (std::size_t i = first; i < last; ++i)
-            for (const Series& series : charts[i].series)
-                for (const ChartPoint& point : series.points) rangeY.add(point.y + point.error);
-        for (std::size_t i = first; i < last; ++i) {
-            Range rangeX;
-            for (const Series& series : charts[i].series)
-                for (const ChartPoint& point : series.points) rangeX.add(point.x);
-            svg += fmt::format("<g transform=\"translate({} {})\">\n", chartWidth * double(i - first),
-                               chartHeight * double(row));
-            ChartWriter(svg, charts[i], rangeX.orUnit(), rangeY.orUnit()).write();
-            svg += "</g>\n";
-        }
-    }
-    return svg + "</svg>\n";
+    SvgCanvas canvas(sizeOf(charts, columns));
+    draw(charts, columns, canvas);
+    return canvas.svg();
+}
+
+ColorImage pictureOf(const std::vector<LineChart>& charts, int columns) {
+    PictureCanvas canvas(sizeOf(charts, columns));
+    draw(charts, columns, canvas);
+    return canvas.picture();
 }
 
 }  // namespace chiaro::metrics

@@ -1,12 +1,14 @@
 #pragma once
 
+#include "core/base/image.h"
+
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace chiaro::metrics {
 
-/// Charts of curves as a picture that any browser or text processor shows (SVG 1.1).
+/// Charts of curves as a file for browsers and text processors (SVG), and as a picture.
 
 struct ChartPoint {
     double x = 0, y = 0;
@@ -34,5 +36,9 @@ struct LineChart {
 /// The charts in rows of `columns`, row by row; those of a row share the range of their y axes. Names may
 /// hold any text. Throws nothing for charts without points: they stay empty.
 std::string svgOf(const std::vector<LineChart>& charts, int columns);
+
+/// The same as a picture of twice the size, display-referred RGB in [0, 1]. Its letters are ASCII alone:
+/// others become question marks.
+ColorImage pictureOf(const std::vector<LineChart>& charts, int columns);
 
 }  // namespace chiaro::metrics

@@ -27,8 +27,10 @@ std::optional<double> lightAt(const MeasuredFrame& frame, glm::ivec2 pixel) {
     return light >= 0 ? std::optional<double>(light) : std::nullopt;  // NaN fails the comparison
 }
 
-FrameMeasure summed(const MeasuredFrame& frame, std::span<const glm::ivec2> pixels,
-                    std::span<const PixelMatch> matches) {
+}  // namespace
+
+FrameMeasure summary(const MeasuredFrame& frame, std::span<const glm::ivec2> pixels,
+                     std::span<const PixelMatch> matches) {
     std::vector<double> distances, absolute, squared;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         distances.push_back(matches[i].distance);
@@ -45,8 +47,6 @@ FrameMeasure summed(const MeasuredFrame& frame, std::span<const glm::ivec2> pixe
     }
     return measure;
 }
-
-}  // namespace
 
 std::vector<PixelMatch> matchPixels(const NeighbourIndex& source, const ColorImage& picture,
                                     std::span<const glm::ivec2> pixels, int neighbours, const Task& task) {
@@ -79,7 +79,7 @@ FrameMeasure measureFrame(const NeighbourIndex& source, const MeasuredFrame& fra
                     fmt::format("the sample was prepared for blocks of {} px", source.block()));
     const std::vector<glm::ivec2> pixels =
         drawPixels(measurable(frame, params.block), params.pixels, params.seed, "mask");
-    return summed(frame, pixels, matchPixels(source, *frame.picture, pixels, params.neighbours, task));
+    return summary(frame, pixels, matchPixels(source, *frame.picture, pixels, params.neighbours, task));
 }
 
 FrameMaps mapFrame(const NeighbourIndex& source, const MeasuredFrame& frame, int neighbours,
@@ -90,7 +90,7 @@ FrameMaps mapFrame(const NeighbourIndex& source, const MeasuredFrame& frame, int
     FrameMaps maps{.similarity = ScalarImage(width, height, -1),
                    .shadingError = ScalarImage(width, height, -1),
                    .best = Image<glm::i16vec2>(width, height, glm::i16vec2(-1)),
-                   .measure = summed(frame, pixels, matches)};
+                   .measure = summary(frame, pixels, matches)};
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const glm::ivec2 pixel = pixels[i];
         maps.similarity(pixel.x, pixel.y) = matches[i].distance;

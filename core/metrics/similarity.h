@@ -28,6 +28,10 @@ struct FrameMeasure {
     std::optional<Estimate> shadingSquared;   ///< mean of (shade - L)^2
 };
 
+/// What the matches of a frame's pixels, one a pixel in their order, say together.
+FrameMeasure summary(const MeasuredFrame& frame, std::span<const glm::ivec2> pixels,
+                     std::span<const PixelMatch> matches);
+
 /// Measures a picture at pixels drawn by chance. `source` was made with the params' block size, else they are
 /// refused. Throws Error too when the mask leaves no pixel or sizes differ; Cancelled.
 FrameMeasure measureFrame(const NeighbourIndex& source, const MeasuredFrame& frame,

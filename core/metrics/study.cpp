@@ -131,22 +131,23 @@ Series seriesOf(const std::vector<StudyPoint>& points, const std::string& name, 
 }
 
 /// A chart for each block size, a curve for each texture.
-std::string byBlock(const std::vector<StudyPoint>& points, Distortion distortion, const Axis& axis,
+StudyFigure byBlock(const std::vector<StudyPoint>& points, Distortion distortion, const Axis& axis,
                     const std::string& title) {
-    std::vector<LineChart> charts;
+    StudyFigure figure{nameOf(distortion), {}, 0};
     for (const int block : distinct(points, &StudyPoint::block)) {
         LineChart chart{fmt::format("{}, s = {}", title, block), axis, {"similarity error", 0, {}}, {}};
         for (const std::string& texture : distinct(points, &StudyPoint::texture))
             chart.series.push_back(seriesOf(points, texture, texture, distortion, block));
-        charts.push_back(std::move(chart));
+        figure.charts.push_back(std::move(chart));
     }
-    return svgOf(charts, int(charts.size()));
+    figure.columns = int(figure.charts.size());
+    return figure;
 }
 
 /// A row for each texture, a chart for each block size, a curve for each axis.
-std::string scaleCharts(const std::vector<StudyPoint>& points, const Axis& axis) {
-    std::vector<LineChart> charts;
+StudyFigure scaleFigure(const std::vector<StudyPoint>& points, const Axis& axis) {
     const std::vector<int> blocks = distinct(points, &StudyPoint::block);
+    StudyFigure figure{"scale", {}, int(blocks.size())};
     for (const std::string& texture : distinct(points, &StudyPoint::texture))
         for (const int block : blocks) {
             LineChart chart{
@@ -154,20 +155,19 @@ std::string scaleCharts(const std::vector<StudyPoint>& points, const Axis& axis)
             chart.series.push_back(seriesOf(points, "x", texture, Distortion::ScaleX, block));
             chart.series.push_back(seriesOf(points, "y", texture, Distortion::ScaleY, block));
             chart.series.push_back(seriesOf(points, "x and y", texture, Distortion::ScaleBoth, block));
-            charts.push_back(std::move(chart));
+            figure.charts.push_back(std::move(chart));
         }
-    return svgOf(charts, int(blocks.size()));
+    return figure;
 }
 
 }  // namespace
 
 std::vector<StudyFigure> studyFigures(const std::vector<StudyPoint>& points) {
-    return {{"rotation", byBlock(points, Distortion::Rotation,
-                                 {"rotation (degrees)", std::nullopt, {0, 45, 90, 135, 180}}, "Rotation")},
-            {"scale", scaleCharts(points, {"scale factor", std::nullopt, {0.5, 0.75, 1, 1.5, 2}, true})},
-            {"discontinuity",
-             byBlock(points, Distortion::Discontinuity,
-                     {"block size n (px)", std::nullopt, {4, 8, 12, 16, 20, 24, 28, 32}}, "Discontinuity")}};
+    return {byBlock(points, Distortion::Rotation, {"rotation (degrees)", std::nullopt, {0, 45, 90, 135, 180}},
+                    "Rotation"),
+            scaleFigure(points, {"scale factor", std::nullopt, {0.5, 0.75, 1, 1.5, 2}, true}),
+            byBlock(points, Distortion::Discontinuity,
+                    {"block size n (px)", std::nullopt, {4, 8, 12, 16, 20, 24, 28, 32}}, "Discontinuity")};
 }
 
 }  // namespace chiaro::metrics

@@ -52,7 +52,10 @@ std::string studyCsv(const std::vector<StudyPoint>& points);
 /// A sheet of charts: rotation and discontinuity with a curve a texture, scale with a curve an axis.
 struct StudyFigure {
     std::string name;  ///< "rotation", "scale", "discontinuity"
-    std::string svg;
+    std::vector<LineChart> charts;
+    int columns = 1;  ///< charts in a row of the sheet
+    std::string svg() const { return svgOf(charts, columns); }
+    ColorImage picture() const { return pictureOf(charts, columns); }
 };
 std::vector<StudyFigure> studyFigures(const std::vector<StudyPoint>& points);
 

@@ -26,7 +26,7 @@ void addChannel(Hasher& hasher, const scene::Channel& channel) {
 }
 
 void addPath(Hasher& hasher, const scene::Path& path) {
-    addNumbers(hasher, {path.cameraTurn, path.lightTurn, double(path.smooth)});
+    addNumbers(hasher, {path.cameraTurn, path.lightTurn, path.approach, double(path.smooth)});
     for (const scene::Channel* channel : {&path.azimuth, &path.elevation, &path.distance, &path.fieldOfView})
         addChannel(hasher, *channel);
     for (const auto& axes : {path.target, path.light})

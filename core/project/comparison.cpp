@@ -7,7 +7,7 @@
 #include "core/project/render_method.h"
 
 #include <algorithm>
-#include <map>
+#include <array>
 
 namespace chiaro::project {
 
@@ -52,10 +52,39 @@ Estimate overSeeds(const std::vector<Estimate>& seeds) {
     return result;
 }
 
-/// What is measured of one seed.
+constexpr std::array measuredErrors{&MeasuredErrors::similarity, &MeasuredErrors::shading,
+                                    &MeasuredErrors::shadingSquared, &MeasuredErrors::temporalImage,
+                                    &MeasuredErrors::temporalObject};
+
+MeasuredErrors overSeeds(const std::vector<MeasuredErrors>& seeds) {
+    MeasuredErrors errors;
+    for (const auto error : measuredErrors) {
+        std::vector<Estimate> estimates;
+        for (const MeasuredErrors& seed : seeds)
+            if ((seed.*error).count > 0) estimates.push_back(seed.*error);
+        errors.*error = overSeeds(estimates);
+    }
+    return errors;
+}
+
+/// What is measured of one frame.
 struct Measures {
     Mean similarity, shading, shadingSquared, image, object;
+    MeasuredErrors result() const {
+        return {similarity.result(), shading.result(), shadingSquared.result(), image.result(),
+                object.result()};
+    }
 };
+
+MeasuredErrors overFrames(const std::vector<MeasuredErrors>& frames) {
+    MeasuredErrors errors;
+    for (const auto error : measuredErrors) {
+        Mean mean;
+        for (const MeasuredErrors& frame : frames) mean.add(frame.*error);
+        errors.*error = mean.result();
+    }
+    return errors;
+}
 
 /// The objects that wear one sample, and that sample as pictures show it.
 struct MeasuredSample {
@@ -65,19 +94,23 @@ struct MeasuredSample {
 
 class Measurer {
 public:
-    Measurer(const scene::Scene& scene, const std::vector<Paint>& paints,
-             const metrics::MeasureParams& params)
+    Measurer(const Project& project, const scene::Scene& scene, const std::vector<Paint>& paints,
+             const metrics::MeasureParams& params, const Task& task)
         : m_params(params) {
         for (int sample = 0; sample < int(paints.size()); ++sample) {
             std::vector<bool> wears(scene.objects.size() + 1, false);
             for (std::size_t i = 0; i < scene.objects.size(); ++i)
                 wears[i + 1] = scene.objects[i].visible && scene.objects[i].sample == sample;
             if (std::ranges::find(wears, true) == wears.end()) continue;
-            const Paint& paint = paints[std::size_t(sample)];
-            m_samples.push_back(
-                {std::move(wears),
-                 metrics::NeighbourIndex(gradient::recolored(paint.separation.texture, paint.shown),
-                                         params.block)});
+            try {
+                const Paint& paint = paints[std::size_t(sample)];
+                m_samples.push_back(
+                    {std::move(wears),
+                     metrics::NeighbourIndex(gradient::recolored(paint.separation.texture, paint.shown),
+                                             params.block, task)});
+            } catch (const Error& error) {
+                throw Error(project.samples[std::size_t(sample)].scan.string(), error);
+            }
         }
     }
 
@@ -86,7 +119,7 @@ public:
         for (const MeasuredSample& sample : m_samples) {
             const IdImage objects = only(gbuffer.objectId, sample);
             const metrics::MeasuredFrame frame{&picture, &objects, &gbuffer.light, 0};
-            if (!isMeasurable(frame)) continue;
+            if (!metrics::anyPixel(metrics::measurable(frame, m_params.block))) continue;
             const metrics::FrameMeasure made = metrics::measureFrame(sample.index, frame, params(seed));
             measures.similarity.add(made.similarity);
             measures.shading.add(*made.shadingAbsolute);
@@ -105,13 +138,13 @@ public:
                           after = only(second.gbuffer->objectId, sample);
             const metrics::MeasuredFrame a{&firstPicture, &before, nullptr, 0},
                 b{&secondPicture, &after, nullptr, 0};
-            try {
-                measures.image.add(metrics::imageCoherence(sample.index.bins(), a, b, params(seed)));
-                measures.object.add(metrics::objectCoherence(sample.index.bins(), a, b,
-                                                             {&displacement, &seen}, params(seed)));
-            } catch (const Error&) {
-                continue;  // too little of these objects to be seen in both frames
-            }
+            const metrics::SurfaceMotion motion{&displacement, &seen};
+            const metrics::Bins& bins = sample.index.bins();
+            // Objects may be too small, or hidden, in one of the frames.
+            if (metrics::anyPixel(metrics::comparableInImage(a, b, m_params.block)))
+                measures.image.add(metrics::imageCoherence(bins, a, b, params(seed)));
+            if (metrics::anyPixel(metrics::comparableOnObject(a, b, motion, m_params.block)))
+                measures.object.add(metrics::objectCoherence(bins, a, b, motion, params(seed)));
         }
     }
 
@@ -127,10 +160,6 @@ private:
             if (!sample.wears[id]) id = 0;
         return objects;
     }
-    bool isMeasurable(const metrics::MeasuredFrame& frame) const {
-        const auto mask = metrics::measurable(frame, m_params.block);
-        return std::ranges::any_of(mask.pixels(), [](std::uint8_t value) { return value != 0; });
-    }
 
     metrics::MeasureParams m_params;
     std::vector<MeasuredSample> m_samples;
@@ -145,53 +174,93 @@ Project seeded(const Project& project, const std::string& method, int offset) {
     return other;
 }
 
+/// What every method and seed has in common.
+struct Shared {
+    const scene::Scene& scene;
+    const scene::Path& path;
+    const ComparisonParams& params;
+    const TextureCache* cache;
+};
+
+/// Paints and measures every frame as the seed of that number has it; the first one's pictures are kept.
+std::vector<MeasuredErrors> measureSeed(const Project& project, int seed, const Shared& shared,
+                                        std::vector<ColorAlphaImage>& pictures, const Task& task) {
+    const ComparisonParams& params = shared.params;
+    std::vector<Paint> paints;
+    for (std::size_t i = 0; i < project.samples.size(); ++i)
+        paints.push_back(preparePaint(project, i, task.part(0, 0.2)));
+    const WornPaints worn = wornPaints(project, shared.scene, paints, task.part(0.2, 0.4), shared.cache);
+    const Shot shot{project, shared.scene, worn, shared.path, params.width, params.height};
+    ShotViews views(shot, task.part(0.4, 0.4));
+    const auto painter = framePainter(shot, views);
+    const Measurer measurer(project, shared.scene, paints, params.measure, task.part(0.4, 0.5));
+    std::vector<MeasuredErrors> errors;
+    ColorImage before;
+    for (int frame = 1; frame <= params.frames; ++frame) {
+        const double share = 0.5 / params.frames;
+        const Rendering rendering =
+            painter->paint(frame, task.part(0.5 + share * (frame - 1), 0.5 + share * frame));
+        const ColorImage picture = colorsOf(rendering.frame.picture);
+        const methods::FrameView view = views.at(frame);
+        const std::uint64_t draw = params.measure.seed + std::uint64_t(seed * params.frames + frame);
+        Measures measures;
+        measurer.measure(*view.gbuffer, picture, draw, measures);
+        if (frame > 1) measurer.measureChange(views.at(frame - 1), before, view, picture, draw, measures);
+        errors.push_back(measures.result());
+        if (seed == 0) pictures.push_back(rendering.frame.picture);
+        before = picture;
+        task.checkpoint();
+    }
+    return errors;
+}
+
+/// Throws Error when frames have too little in them to say anything.
+void checkMeasured(const MeasuredErrors& errors) {
+    if (errors.similarity.count == 0)
+        throw Error("frames", "show nothing on which a block fits",
+                    "make them larger, or let the camera come nearer");
+    if (errors.temporalImage.count == 0 || errors.temporalObject.count == 0)
+        throw Error("frames", "share nothing that could be compared", "let less change from one to the next");
+}
+
+MethodMeasure measureMethod(const Project& project, const std::string& method, const Shared& shared,
+                            const Task& task) {
+    MethodMeasure column;
+    column.method = method;
+    const int count = shared.params.seeds;
+    std::vector<std::vector<MeasuredErrors>> frames(std::size_t(shared.params.frames));
+    std::vector<MeasuredErrors> seeds;
+    for (int seed = 0; seed < count; ++seed) {
+        const Task part = task.part(double(seed) / count, double(seed + 1) / count);
+        const auto errors = measureSeed(seeded(project, method, seed), seed, shared, column.frames, part);
+        for (std::size_t i = 0; i < errors.size(); ++i) frames[i].push_back(errors[i]);
+        seeds.push_back(overFrames(errors));
+    }
+    static_cast<MeasuredErrors&>(column) = overSeeds(seeds);
+    checkMeasured(column);
+    for (const auto& frame : frames) column.perFrame.push_back(overSeeds(frame));
+    return column;
+}
+
 }  // namespace
+
+Project animatedAsReported(Project project) {
+    project.viewAligned.followZoom = false;
+    project.coherence = {};
+    project.coherence.mode = methods::Coherence::Previous;
+    return project;
+}
 
 std::vector<MethodMeasure> compareMethods(const Project& project, const scene::Scene& scene,
                                           const scene::Path& path, const ComparisonParams& params,
                                           const Task& task, const TextureCache* cache) {
+    const Shared shared{scene, path, params, cache};
     std::vector<MethodMeasure> table;
     const auto methods = renderMethods();
-    Task::Steps steps(task, methods.size() * std::size_t(params.seeds * params.frames));
-    for (const RenderMethod& method : methods) {
-        MethodMeasure& column = table.emplace_back();
-        column.method = method.key;
-        std::map<std::string, std::vector<Estimate>> seeds;
-        for (int seed = 0; seed < params.seeds; ++seed) {
-            const Project one = seeded(project, method.key, seed);
-            std::vector<Paint> paints;
-            for (std::size_t i = 0; i < one.samples.size(); ++i) paints.push_back(preparePaint(one, i));
-            const WornPaints worn = wornPaints(one, scene, paints, {}, cache);
-            const Shot shot{one, scene, worn, path, params.width, params.height};
-            ShotViews views(shot);
-            const auto painter = framePainter(shot, views);
-            const Measurer measurer(scene, paints, params.measure);
-            Measures measures;
-            ColorImage before;
-            for (int frame = 1; frame <= params.frames; ++frame) {
-                const Rendering rendering = painter->paint(frame, {});
-                const ColorImage picture = colorsOf(rendering.frame.picture);
-                const methods::FrameView view = views.at(frame);
-                const auto draw = params.measure.seed + std::uint64_t(seed * params.frames + frame);
-                measurer.measure(*view.gbuffer, picture, draw, measures);
-                if (frame > 1)
-                    measurer.measureChange(views.at(frame - 1), before, view, picture, draw, measures);
-                if (seed == 0) column.frames.push_back(rendering.frame.picture);
-                before = picture;
-                steps.done();
-            }
-            seeds["similarity"].push_back(measures.similarity.result());
-            seeds["shading"].push_back(measures.shading.result());
-            seeds["squared"].push_back(measures.shadingSquared.result());
-            seeds["image"].push_back(measures.image.result());
-            seeds["object"].push_back(measures.object.result());
-        }
-        column.similarity = overSeeds(seeds["similarity"]);
-        column.shading = overSeeds(seeds["shading"]);
-        column.shadingSquared = overSeeds(seeds["squared"]);
-        column.temporalImage = overSeeds(seeds["image"]);
-        column.temporalObject = overSeeds(seeds["object"]);
-    }
+    const double share = 1 / double(methods.size());
+    for (std::size_t i = 0; i < methods.size(); ++i)
+        table.push_back(measureMethod(project, methods[i].key, shared,
+                                      task.part(share * double(i), share * double(i + 1))));
     return table;
 }
 

@@ -120,11 +120,14 @@ std::shared_ptr<const methods::PlannedObject> planObject(const Project& project,
 
 namespace {
 
+/// Raised whenever synthesizeViews makes other textures of the same: those kept on disk are then made again.
+constexpr int textureRecipe = 2;
+
 /// Names all that an object's textures are made from, the program that makes them included.
 std::uint64_t texturesKey(const methods::PlannedObject& planned,
                           const std::vector<synthesis::LevelSource>& sources, bool propagate) {
     Hasher hasher;
-    hasher.add(std::string_view(CHIARO_VERSION)).add(propagate);
+    hasher.add(std::string_view(CHIARO_VERSION)).add(textureRecipe).add(propagate);
     const scene::Mesh& mesh = planned.surface.mesh();
     hasher.add(std::span(mesh.positions)).add(std::span(mesh.triangles));
     for (const views::FaceGroup& group : planned.plan.groups) {

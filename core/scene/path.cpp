@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace chiaro::scene {
@@ -60,7 +61,7 @@ auto Path::channels(Self& self, Part part) {
 }
 
 bool Path::moves() const {
-    return cameraTurn != 0 || lightTurn != 0 || !keyFrames(Part::Camera).empty() ||
+    return cameraTurn != 0 || lightTurn != 0 || approach != 1 || !keyFrames(Part::Camera).empty() ||
            !keyFrames(Part::Light).empty();
 }
 
@@ -115,6 +116,12 @@ Path Path::lightSweep(int period) {
     return path;
 }
 
+Path Path::approaching() {
+    Path path;
+    path.approach = 0.96;
+    return path;
+}
+
 View Path::at(double frame, const View& start) const {
     View view = start;
     Camera& camera = view.camera;
@@ -123,6 +130,9 @@ View Path::at(double frame, const View& start) const {
     apply(distance, frame, smooth, camera.distance);
     apply(fieldOfView, frame, smooth, camera.fieldOfView);
     camera.azimuth = float(double(camera.azimuth) + cameraTurn * (frame - 1));
+    if (approach != 1)
+        camera.distance =
+            float(std::clamp(double(camera.distance) * std::pow(approach, frame - 1), 0.01, 100.0));
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto i = glm::length_t(axis);
         apply(target[axis], frame, smooth, camera.target[i]);

@@ -36,6 +36,7 @@ struct Path {
     double cameraTurn = 0;  ///< degrees a frame by which the camera goes around its target (a turntable)
     double lightTurn = 0;   ///< degrees a frame by which the lights go around +Y (a light sweep), those at a
                             ///< point around the camera's target
+    double approach = 1;    ///< factor a frame by which the camera's distance changes; it stays in 0.01..100
     bool smooth = true;     ///< how channels pass from key to key
     Channel azimuth, elevation, distance, fieldOfView;  ///< of the camera, as scene::Camera has them
     std::array<Channel, 3> target;                      ///< of the camera, x, y, z
@@ -56,6 +57,8 @@ struct Path {
     /// Once around in this many frames.
     static Path turntable(int period);
     static Path lightSweep(int period);
+    /// The camera comes nearer by 4% of its distance from frame to frame.
+    static Path approaching();
 
     /// False when every frame is the view itself.
     bool moves() const;

@@ -21,6 +21,10 @@ constexpr int passesOfAKind = 4;
 constexpr int vainTries = 6;  // views from which, against expectation, nothing new was seen
 // The last resort can choose its directions freely, so it doesn't stretch.
 constexpr double facingOfLastResort = 0.3;
+// Faces that no view sees at 60 degrees or less are steep: what is painted from there is stretched by over 2.
+constexpr double steepFacing = 0.5;
+constexpr double steepShareWorthAPass = 0.002;  // of the object's area
+constexpr int steepPasses = 6;
 
 /// What the passes draw, one kind after the other.
 Drawn after(Drawn drawn) {
@@ -52,7 +56,9 @@ public:
         for (double before = uncoveredArea(); before > 0; before = uncoveredArea()) {
             m_task.report(done);
             done += (1 - done) / 2;
-            if (!furtherPass(drawn) && drawn == Drawn::EachAlone) break;
+            const double facing =
+                drawn == Drawn::EachAlone ? std::max(facingOfLastResort, m_params.epsilon) : m_params.epsilon;
+            if (!furtherPass(drawn, facing, shareWorthAView) && drawn == Drawn::EachAlone) break;
             const bool worthIt = before - uncoveredArea() >= shareWorthAPass * before;
             if (worthIt && ++ofThisKind < passesOfAKind) continue;
             drawn = after(drawn);
@@ -66,7 +72,29 @@ public:
         return std::move(m_plan);
     }
 
+    /// Further passes for the faces that a plan shows steeply only.
+    ViewPlan improved(ViewPlan plan) {
+        m_plan = std::move(plan);
+        markSteepFaces();
+        const double worthIt = steepShareWorthAPass * m_surface.totalArea();
+        for (const Drawn drawn : {Drawn::Uncovered, Drawn::UncoveredFronts})
+            for (int pass = 0; pass < steepPasses; ++pass) {
+                const double before = uncoveredArea();
+                if (before <= worthIt || !furtherPass(drawn, steepFacing, worthIt / before)) break;
+                if (before - uncoveredArea() <= worthIt) break;
+            }
+        return std::move(m_plan);
+    }
+
 private:
+    void markSteepFaces() {
+        for (const FaceGroup& group : m_plan.groups) {
+            const Projector projector(group.view);
+            for (const std::uint32_t face : group.faces)
+                if (projector.facing(m_surface, face) >= steepFacing) m_uncovered[face] = 0;
+        }
+    }
+
     double uncoveredArea() const {
         double area = 0;
         for (std::uint32_t face = 0; face < m_surface.faceCount(); ++face)
@@ -133,11 +161,11 @@ private:
         for (const std::uint32_t face : faces) m_uncovered[face] = 0;
     }
 
-    /// Adds views of what is uncovered, until another one would show little of it; false if there are none.
-    bool furtherPass(Drawn drawnFaces) {
+    /// Adds views of what is uncovered, from where it is seen with n.v above `facing`, until another one
+    /// would show less than `leastShare` of it; false if there are none.
+    bool furtherPass(Drawn drawnFaces, double facing, double leastShare) {
         const FaceMask wanted = m_uncovered;
         const bool alone = drawnFaces == Drawn::EachAlone;
-        const double facing = alone ? std::max(facingOfLastResort, m_params.epsilon) : m_params.epsilon;
         const Occluders drawn(
             m_surface, alone ? FaceMask(wanted.size()) : wanted,
             drawnFaces == Drawn::Uncovered ? Occluders::Sides::Both : Occluders::Sides::Fronts, facing);
@@ -148,7 +176,7 @@ private:
         FaceMask covered(wanted.size());
         int vain = 0;
         while (m_plan.groups.size() < first + viewsPerFurtherPass) {
-            const int best = scores.best(m_plan.groups.size() > first ? shareWorthAView : 0);
+            const int best = scores.best(m_plan.groups.size() > first ? leastShare : 0);
             if (best < 0) break;
             scores.drop(best);
             const View view = viewFrom(m_directions[std::size_t(best)]);
@@ -217,6 +245,11 @@ ViewPlan planViews(const Surface& surface, const ViewParams& params, const std::
             throw Error("the field of view", fmt::format("is {}", view.fieldOfView), "choose 1..120 degrees");
     }
     return Planner(surface, params, task).plan(kept);
+}
+
+ViewPlan withSteepFacesSeen(const Surface& surface, ViewPlan plan, const ViewParams& params,
+                            const Task& task) {
+    return Planner(surface, params, task).improved(std::move(plan));
 }
 
 }  // namespace chiaro::views

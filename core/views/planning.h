@@ -54,4 +54,11 @@ struct ViewPlan {
 ViewPlan planViews(const Surface& surface, const ViewParams& params, const std::vector<View>& kept = {},
                    const Task& task = {});
 
+/// A plan with further views of the faces that it shows at more than 60 degrees only, as happens where other
+/// faces stand before them: from there they would be painted with streaks. These passes draw only those
+/// faces, which stay in the groups that they are in. What is left is less than a view is worth. Throws
+/// Cancelled.
+ViewPlan withSteepFacesSeen(const Surface& surface, ViewPlan plan, const ViewParams& params,
+                            const Task& task = {});
+
 }  // namespace chiaro::views

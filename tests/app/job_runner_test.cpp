@@ -144,6 +144,18 @@ private Q_SLOTS:
         QCOMPARE(*memo.find<int>(4), 40);
         QCOMPARE(memo.bytes(), 500U);
     }
+
+    void quietJobsAreNotListedButAwaited() {
+        JobRunner jobs;
+        bool isDone = false;
+        jobs.start(
+            {"Measuring", "view", {}, {}, true}, [](const Task&) { return 1; }, [&](int) { isDone = true; });
+        QVERIFY(jobs.jobs().empty());
+        QVERIFY(!jobs.isIdle() && jobs.isRunning("view"));
+        jobs.cancelAll();  // what the artist can't see goes on
+        QTRY_VERIFY(isDone);
+        QVERIFY(jobs.isIdle());
+    }
 };
 
 QTEST_GUILESS_MAIN(JobRunnerTest)

@@ -1,8 +1,11 @@
 #include "app/main_window.h"
 
 #include "app/docks/gradient_dock.h"
+#include "app/docks/metric_graph_dock.h"
 #include "app/docks/sample_dock.h"
 #include "app/docks/view_planning_dock.h"
+#include "app/heat_maps.h"
+#include "app/metric_tools.h"
 #include "app/picture_export.h"
 #include "core/base/atomic_file.h"
 #include "core/project/pipeline.h"
@@ -10,6 +13,7 @@
 #include "widgets/color_path_bar.h"
 #include "widgets/color_path_view.h"
 #include "widgets/message_bar.h"
+#include "widgets/viewport/heat_overlay.h"
 #include "widgets/viewport/overlay_views.h"
 #include "widgets/viewport/viewport.h"
 
@@ -257,6 +261,58 @@ private Q_SLOTS:
         const double difference = meanDifference(shown, picture);
         qInfo("mean difference %.3f of 255", difference);
         QVERIFY2(difference < 2, "the export shows something else than the viewport");
+    }
+
+    void whatTheViewportShowsIsMeasured() {
+        MainWindow window;
+        window.resize(1200, 700);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(openAndSettle(window, stripAndMesh()));
+        QTRY_VERIFY_WITH_TIMEOUT(window.metrics().viewMeasures().measure(), 20'000);
+        QVERIFY2(window.metrics().figuresText().contains("similarity 0."),
+                 qPrintable(window.metrics().figuresText()));
+        const double before = window.metrics().viewMeasures().measure()->similarity.mean;
+        scene::Camera camera = window.viewport().camera();
+        camera.azimuth += 40;
+        window.viewport().setCamera(camera);
+        QVERIFY2(!window.metrics().viewMeasures().measure() && window.metrics().figuresText().isEmpty(),
+                 "figures of another view are not shown");
+        QTRY_VERIFY_WITH_TIMEOUT(window.metrics().viewMeasures().measure(), 20'000);
+        QVERIFY(window.metrics().viewMeasures().measure()->similarity.mean != before);
+
+        QAction* map = window.metrics().heatMaps().similarityAction();
+        QVERIFY(!window.metrics().heatMaps().overlay()->isVisible());
+        map->trigger();
+        QVERIFY(window.metrics().heatMaps().overlay()->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(window.metrics().viewMeasures().isMapFinal(), 60'000);
+        QCOMPARE(window.metrics().viewMeasures().heatMap()->picture.size(), window.viewport().pixels());
+        window.metrics().heatMaps().shadingAction()->trigger();
+        QVERIFY(!map->isChecked());
+        QCOMPARE(window.metrics().viewMeasures().heatMap()->title, QString("Shading error"));
+        window.viewport().frameAll();
+        QTRY_VERIFY_WITH_TIMEOUT(window.metrics().viewMeasures().isMapFinal(), 60'000);
+        window.metrics().heatMaps().shadingAction()->trigger();
+        QVERIFY(!window.metrics().heatMaps().overlay()->isVisible());
+        window.metrics().heatMaps().liveAction()->setChecked(false);
+        QVERIFY(window.metrics().figuresText().isEmpty());
+        window.metrics().heatMaps().liveAction()->setChecked(true);
+        window.document().undoStack().setClean();
+    }
+
+    void aFrameOfTheComparisonIsShown() {
+        MainWindow window;
+        window.resize(1200, 700);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(openAndSettle(window, stripAndMesh()));
+        scene::Camera wanted = window.viewport().camera();
+        const scene::Camera kept = window.document().project().camera;
+        wanted.azimuth += 30;
+        Q_EMIT window.metrics().dock().cameraWanted(wanted);
+        QCOMPARE(window.viewport().camera().azimuth, wanted.azimuth);
+        QVERIFY2(window.document().project().camera == kept, "looking at a frame edits nothing");
+        window.document().undoStack().setClean();
     }
 };
 

@@ -75,6 +75,14 @@ TEST(Animate, WritesVideosAndTheValuesBehindEachFrame) {
         EXPECT_TRUE(std::filesystem::exists(folder / "aux" / name)) << name;
 }
 
+TEST(Animate, SaysThatItPadsAVideoOfOddSize) {
+    const TemporaryFolder folder;
+    const Outcome outcome = chiaro({"animate", "--mesh", skull, "--sample", oil, "--method", "image-based",
+                                    "--size", "33x21", "--frames", "1-2", "-o", folder / "a.mkv"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_NE(outcome.out.find("padded to 34 x 22 px"), std::string::npos) << outcome.out;
+}
+
 TEST(Animate, ALightPathMovesTheLightAndAFileBoth) {
     const TemporaryFolder folder;
     ASSERT_EQ(animate(folder / "l.####.png", {"--frames", "1-2", "--path", "light", "--period", "4"}).status,

@@ -44,7 +44,7 @@ TEST(Compare, MakesTheReportsTableForEveryMethod) {
         }
     // The report's own figures stand beside ours.
     EXPECT_NE(readFile(folder / "c/table.md", 1 << 16).find("0.07539"), std::string::npos);
-    EXPECT_EQ(filesIn(folder / "c").size(), 4u);  // two tables and two frames
+    EXPECT_EQ(filesIn(folder / "c").size(), 5u);  // three tables and two frames
 }
 
 }  // namespace

@@ -93,7 +93,8 @@ TEST(Measure, TheStudyWritesItsCurves) {
     const std::string csv = readFile(folder / "study/study.csv", 1 << 20);
     for (const std::string texture : {"random", "diagonal", "symmetric", "oil"})
         EXPECT_NE(csv.find(texture + ",scale-both,12,2,"), std::string::npos) << texture;
-    for (const char* name : {"rotation.svg", "scale.svg", "discontinuity.svg", "distortions.png"})
+    for (const char* name : {"rotation.svg", "scale.svg", "discontinuity.svg", "rotation.png", "scale.png",
+                             "discontinuity.png", "distortions.png"})
         EXPECT_TRUE(std::filesystem::exists(folder / "study" / name)) << name;
 }
 
@@ -115,7 +116,7 @@ TEST(Measure, RefusesWhatItCannotDoInOneSentence) {
              {{"measure", "--sample", oil, folder / "plain.png", "--motion", "m.exr"}, 2, "--next"},
              {{"measure", "--sample", oil, folder / "none.png"}, 1, "none.png"},
              {{"measure", "--sample", folder / "plain.png", oil}, 1, "one colour"},
-             {{"measure", "--sample", oil, folder / "tiny.png"}, 1, "tiny.png"},
+             {{"measure", "--sample", oil, folder / "tiny.png"}, 1, "7 x 7 pixels, smaller than a block"},
              {{"measure", "--sample", oil, folder / "plain.png", "--mask", folder / "nowhere.png"},
               1,
               "no pixel"},
@@ -123,7 +124,11 @@ TEST(Measure, RefusesWhatItCannotDoInOneSentence) {
              {{"measure", "--sample", oil, oil, "--next", oil, "--motion", oil}, 1, "OpenEXR"},
              {{"measure", "--sample", oil, oil, "--heatmap", oil}, 1, "input"},
              {{"measure", "study", "--sample", oil}, 2, "--output"},
-             {{"measure", "study", "--sample", folder / "plain.png", "-o", folder / "s"}, 1, "plain"}}) {
+             {{"measure", "study", "--sample", folder / "plain.png", "-o", folder / "s"}, 1, "plain"},
+             {{"compare", resource("demo/demo.chiaro").string(), "--sample", folder / "plain.png", "-o",
+               folder / "c", "--size", "64x64"},
+              1,
+              "plain.png"}}) {
         const Outcome outcome = chiaro(one.arguments);
         EXPECT_EQ(outcome.status, one.status) << outcome.error;
         EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;

@@ -56,6 +56,18 @@ TEST(Layers, EveryFolderOfCoreHasItsPlace) {
     }
 }
 
+// A formatter for C++ that meets Markdown makes one run of it.
+TEST(Layers, EveryFolderOfCoreIsDescribedInMarkdown) {
+    for (const std::string& folder : order) {
+        std::ifstream stream(source / "core" / folder / "README.md");
+        std::string title, blank;
+        std::getline(stream, title);
+        std::getline(stream, blank);
+        EXPECT_TRUE(title.starts_with("# " + folder)) << folder << ": " << title;
+        EXPECT_TRUE(blank.empty()) << folder << ": " << blank;
+    }
+}
+
 TEST(Layers, CoreIncludesOnlyFoldersAboveItself) {
     std::size_t seen = 0;
     for (const Include& include : includesBelow("core")) {

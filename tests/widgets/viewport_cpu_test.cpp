@@ -1,4 +1,5 @@
 #include "tests/widgets/viewport_support.h"
+#include "widgets/viewport/light_sphere.h"
 
 #include <QLabel>
 #include <QtTest>
@@ -16,6 +17,10 @@ private Q_SLOTS:
     void showsCoresPicture();
     void showsCoresImageBasedPicture();
     void showsCoresViewDependentPicture();
+    void aSnapshotIsWhatIsShown_data();
+    void aSnapshotIsWhatIsShown();
+    void tellsWhenThePictureIsAnother();
+    void overlaysLieOverThePictureAndUnderTheRest();
     void picturesComeInTheBackground();
     void dragsTurnTheCamera();
     void withoutLevelsTheGradientAloneShows();
@@ -82,6 +87,62 @@ void ViewportCpuTest::showsCoresViewDependentPicture() {
         scene, m_viewport->camera(), {painted}, m_paint.gradient, params, glm::vec3(0), picture.size());
     QCOMPARE(picture, reference.picture);
     QVERIFY(test::meanDifference(untextured, picture) > 1);
+}
+
+void ViewportCpuTest::aSnapshotIsWhatIsShown_data() {
+    QTest::addColumn<QString>("method");
+    for (const std::string& method : drawnMethods())
+        QTest::newRow(method.c_str()) << QString::fromStdString(method);
+}
+
+void ViewportCpuTest::aSnapshotIsWhatIsShown() {
+    QFETCH(QString, method);
+    m_viewport->setMethod(method.toStdString());
+    if (method == "image-based")
+        m_viewport->setViewTexture(test::imageBasedPicture(test::sceneOf(test::sphereMesh()),
+                                                           m_viewport->camera(), m_paint.gradient,
+                                                           glm::vec3(0), m_viewport->pixels())
+                                       .texture);
+    scene::Camera camera = m_viewport->camera();
+    camera.azimuth += 7;
+    m_viewport->setCamera(camera);
+    const ViewSnapshot snapshot = m_viewport->snapshot();
+    const scene::RayScene rays(snapshot.scene);
+    const scene::GBuffer gbuffer = scene::castGBuffer(rays, snapshot.scene.lights, snapshot.camera,
+                                                      snapshot.pixels.width(), snapshot.pixels.height());
+    const methods::Frame frame = shaded(snapshot, gbuffer, 1, {});
+    QCOMPARE(test::toQImage(methods::over(frame.picture, snapshot.background)), m_viewport->picture());
+}
+
+void ViewportCpuTest::tellsWhenThePictureIsAnother() {
+    QSignalSpy spy(m_viewport.get(), &Viewport::pictureChanged);
+    m_viewport->setCamera(m_viewport->camera());
+    QCOMPARE(spy.count(), 0);
+    scene::Camera camera = m_viewport->camera();
+    camera.azimuth += 7;
+    m_viewport->setCamera(camera);
+    QCOMPARE(spy.count(), 1);
+    m_viewport->setLights({});
+    QCOMPARE(spy.count(), 2);
+    m_viewport->resize(300, 200);
+    QCOMPARE(spy.count(), 3);
+}
+
+void ViewportCpuTest::overlaysLieOverThePictureAndUnderTheRest() {
+    auto* mark = new QWidget;
+    QPalette red;
+    red.setColor(QPalette::Window, Qt::red);
+    mark->setPalette(red);
+    mark->setAutoFillBackground(true);
+    m_viewport->addOverlay(mark);
+    mark->show();
+    m_viewport->picture();
+    QCOMPARE(mark->size(), m_viewport->size());
+    QCOMPARE(QColor(shown().pixel(40, 40)), QColor(Qt::red));
+    const auto* sphere = m_viewport->findChild<LightSphere*>();
+    QVERIFY(QColor(shown().pixel(sphere->geometry().center())) != QColor(Qt::red));
+    m_viewport->resize(300, 200);
+    QCOMPARE(mark->size(), m_viewport->size());
 }
 
 void ViewportCpuTest::picturesComeInTheBackground() {

@@ -1,5 +1,7 @@
 #include "widgets/viewport/cpu_view.h"
 
+#include "widgets/viewport/view_snapshot.h"
+
 #include <QElapsedTimer>
 #include <QPainter>
 #include <QtConcurrent>
@@ -11,18 +13,6 @@ namespace chiaro::widgets {
 namespace {
 
 constexpr int coarse = 4;  // pixels a side that a coarse picture's pixel stands for
-
-bool sameSurfaces(const scene::Scene& a, const scene::Scene& b) {
-    return std::ranges::equal(a.objects, b.objects, [](const scene::Object& x, const scene::Object& y) {
-        return x.mesh == y.mesh && x.transform == y.transform && x.visible == y.visible;
-    });
-}
-
-std::shared_ptr<const synthesis::LevelStack> noTexture() {
-    static const auto stack = std::make_shared<const synthesis::LevelStack>(
-        synthesis::LevelStack{{ColorImage(1, 1, glm::vec3(0))}, {}});
-    return stack;
-}
 
 QImage toQImage(const ColorImage& picture) {
     QImage image(picture.width(), picture.height(), QImage::Format_RGB32);
@@ -38,68 +28,12 @@ QImage toQImage(const ColorImage& picture) {
 
 }  // namespace
 
-/// A snapshot of the state, for another thread.
 struct CpuView::Job {
+    ViewSnapshot view;
     Rays rays;  ///< null: to be built
-    scene::Scene scene;
-    scene::Camera camera;
-    std::vector<ViewportPaint> paints{};  ///< one an object
-    std::vector<methods::TexturePlacement> placements;
-    std::string method;
-    methods::ViewAlignedParams params;
-    std::shared_ptr<const ViewTexture> viewTexture;
-    std::vector<methods::TexturePlacement> motions{};                      ///< of the view texture
-    std::vector<std::shared_ptr<const methods::PaintedObject>> painted{};  ///< one an object
-    methods::ViewDependentParams viewDependent;
-    glm::vec3 background{0};
-    QSize pixels;
     std::stop_token stopFine;
     std::stop_token stopAll;
 };
-
-/// The texture of a coarse picture's pixels, at their middle: it keeps its place and size on the screen.
-methods::TextureLookup CpuView::levelLookup(const Job& job, int coarseness) {
-    methods::ViewAlignedParams params = job.params;
-    params.density *= coarseness;
-    std::vector<methods::ViewAlignedPaint> paints;
-    for (std::size_t i = 0; i < job.paints.size(); ++i) {
-        const ViewportPaint& paint = job.paints[i];
-        methods::TexturePlacement placement = job.placements[i];
-        placement.offset /= float(coarseness);
-        const bool textured = paint.levels && !paint.levels->levels.empty();
-        paints.push_back({textured ? paint.levels.get() : noTexture().get(), &paint.gradient, placement});
-    }
-    return [paints = std::move(paints), params](std::uint16_t object, int x, int y, float light) {
-        return methods::viewAlignedTexture(paints[object - 1u], params, glm::vec2(x, y) + 0.5f, light);
-    };
-}
-
-methods::TextureLookup CpuView::viewTextureLookup(const Job& job, int coarseness) {
-    return [&job, coarseness](std::uint16_t object, int x, int y, float) {
-        if (!job.viewTexture) return glm::vec3(0);
-        const methods::TexturePlacement& motion = job.motions[object - 1u];
-        const glm::vec2 position = (glm::vec2(x, y) + 0.5f) * float(coarseness);
-        return job.viewTexture->difference(object - 1u, (position - motion.offset) / motion.zoom);
-    };
-}
-
-methods::Frame CpuView::shaded(const Job& job, const scene::GBuffer& gbuffer, int coarseness,
-                               const Task& task) {
-    if (job.method == "view-dependent") {
-        std::vector<methods::ViewDependentPaint> paints;
-        for (std::size_t i = 0; i < job.paints.size(); ++i) {
-            const glm::mat4 worldToObject = glm::inverse(job.scene.objects[i].transform);
-            paints.push_back({job.painted[i].get(), &job.paints[i].gradient,
-                              glm::vec3(worldToObject * glm::vec4(gbuffer.eye, 1))});
-        }
-        return methods::renderViewDependent(gbuffer, paints, job.viewDependent, task);
-    }
-    std::vector<const gradient::Gradient*> gradients;
-    for (const ViewportPaint& paint : job.paints) gradients.push_back(&paint.gradient);
-    const methods::TextureLookup texture =
-        job.method == "image-based" ? viewTextureLookup(job, coarseness) : levelLookup(job, coarseness);
-    return methods::shade(gbuffer, gradients, texture, task);
-}
 
 CpuView::CpuView(ViewState& state, QWidget* parent) : QWidget(parent), m_state(state) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -126,29 +60,12 @@ void CpuView::refresh() {
 }
 
 CpuView::Job CpuView::jobOfNow() {
-    const QSize pixels = size() * devicePixelRatioF();
-    m_state.follow(pixels);
     if (!sameSurfaces(m_raysScene, m_state.scene())) m_rays.reset();
     m_raysScene = m_state.scene();
     m_stopFine = {};
     m_stopAll = {};
-    Job job{.rays = m_rays,
-            .scene = m_state.scene(),
-            .camera = m_state.camera,
-            .placements = m_state.placements(),
-            .method = m_state.method(),
-            .params = m_state.params,
-            .viewTexture = m_state.viewTexture,
-            .viewDependent = m_state.viewDependent,
-            .background = m_state.background,
-            .pixels = pixels,
-            .stopFine = m_stopFine.get_token(),
-            .stopAll = m_stopAll.get_token()};
-    if (job.viewTexture) job.motions = m_state.textureMotions(*job.viewTexture, pixels);
-    for (const scene::Object& object : job.scene.objects) job.paints.push_back(m_state.paint(object.sample));
-    for (std::size_t i = 0; i < job.scene.objects.size(); ++i)
-        job.painted.push_back(m_state.paintedObject(i));
-    return job;
+    return {ViewSnapshot::of(m_state, size() * devicePixelRatioF()), m_rays, m_stopFine.get_token(),
+            m_stopAll.get_token()};
 }
 
 void CpuView::start() {
@@ -161,19 +78,20 @@ CpuView::Result CpuView::rendered(const Job& job, const Rays& rays, int coarsene
     QElapsedTimer timer;
     timer.start();
     const Task task(stop);
-    const QSize size(std::max(1, job.pixels.width() / coarseness),
-                     std::max(1, job.pixels.height() / coarseness));
-    const scene::GBuffer gbuffer = scene::castGBuffer(rays->with(job.scene.occlusion), job.scene.lights,
-                                                      job.camera, size.width(), size.height(), task);
-    const methods::Frame frame = shaded(job, gbuffer, coarseness, task);
-    const QImage image = toQImage(methods::over(frame.picture, job.background));
+    const ViewSnapshot& view = job.view;
+    const QSize size(std::max(1, view.pixels.width() / coarseness),
+                     std::max(1, view.pixels.height() / coarseness));
+    const scene::GBuffer gbuffer = scene::castGBuffer(rays->with(view.scene.occlusion), view.scene.lights,
+                                                      view.camera, size.width(), size.height(), task);
+    const methods::Frame frame = shaded(view, gbuffer, coarseness, task);
+    const QImage image = toQImage(methods::over(frame.picture, view.background));
     return {rays, image, double(timer.nsecsElapsed()) * 1e-6, coarseness == 1};
 }
 
 void CpuView::run(QPromise<Result>& promise, const Job& job) {
     try {
         const Rays rays =
-            job.rays ? job.rays : std::make_shared<const scene::RayScene>(job.scene, Task(job.stopAll));
+            job.rays ? job.rays : std::make_shared<const scene::RayScene>(job.view.scene, Task(job.stopAll));
         promise.addResult(rendered(job, rays, coarse, job.stopAll));
         promise.addResult(rendered(job, rays, 1, job.stopFine));
     } catch (const Cancelled&) {
@@ -197,8 +115,8 @@ QImage CpuView::picture() {
     m_watcher.setFuture({});  // what it still had to say is older
     m_stale = false;
     const Job job = jobOfNow();
-    if (job.pixels.isEmpty()) return {};
-    if (!m_rays) m_rays = std::make_shared<const scene::RayScene>(job.scene);
+    if (job.view.pixels.isEmpty()) return {};
+    if (!m_rays) m_rays = std::make_shared<const scene::RayScene>(job.view.scene);
     m_image = rendered(job, m_rays, 1, {}).image;
     return m_image;
 }

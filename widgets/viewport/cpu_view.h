@@ -48,10 +48,6 @@ private:
     Job jobOfNow();
     void start();
     void take(int index);
-    static methods::TextureLookup levelLookup(const Job& job, int coarseness);
-    static methods::TextureLookup viewTextureLookup(const Job& job, int coarseness);
-    static methods::Frame shaded(const Job& job, const scene::GBuffer& gbuffer, int coarseness,
-                                 const Task& task);
     static Result rendered(const Job& job, const Rays& rays, int coarseness, std::stop_token stop);
     static void run(QPromise<Result>& promise, const Job& job);
 

@@ -10,6 +10,7 @@
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
+#include <QPointer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -27,6 +28,7 @@ struct Viewport::Impl {
     CpuView* cpuView = nullptr;  ///< null until it is needed
     LightSphere* sphere = nullptr;
     QLabel* note = nullptr;
+    std::vector<QPointer<QWidget>> overlays;
 
     Gesture gesture = Gesture::None;
     Qt::MouseButton button = Qt::NoButton;  ///< whose drag it is
@@ -67,6 +69,7 @@ void Viewport::Impl::showByOpenGl() {
 void Viewport::Impl::showByCpu() {
     cpuView = new CpuView(state, &widget);
     widget.layout()->addWidget(cpuView);
+    cpuView->lower();  // below what lies over the picture already
     connect(cpuView, &CpuView::frameDrawn, &widget, &Viewport::frameDrawn);
     note = new QLabel(&widget);
     note->setStyleSheet("background: rgba(0, 0, 0, 150); color: white; padding: 4px 8px;");
@@ -112,11 +115,14 @@ void Viewport::Impl::refresh() {
         glView->update();
     const int sample = state.scene().objects.empty() ? 0 : state.scene().objects.front().sample;
     sphere->show(state.scene().lights, state.camera, state.paint(sample).gradient);
+    Q_EMIT widget.pictureChanged();
 }
 
 void Viewport::Impl::placeOverlays() {
     constexpr int margin = 12;
     sphere->move(widget.width() - sphere->width() - margin, margin);
+    for (const QPointer<QWidget>& overlay : overlays)
+        if (overlay) overlay->setGeometry(widget.rect());
     if (!note) return;
     note->setWordWrap(false);
     const int width = std::min(note->sizeHint().width(), widget.width() - 2 * margin);
@@ -276,6 +282,10 @@ void Viewport::setBackground(glm::vec3 color) {
     m_impl->refresh();
 }
 
+glm::vec3 Viewport::background() const {
+    return m_impl->state.background;
+}
+
 void Viewport::frameAll() {
     m_impl->frame(m_impl->state.scene());
 }
@@ -291,6 +301,19 @@ QSize Viewport::pixels() const {
 std::vector<methods::TexturePlacement> Viewport::placements() const {
     m_impl->state.follow(pixels());
     return m_impl->state.placements();
+}
+
+ViewSnapshot Viewport::snapshot() const {
+    return ViewSnapshot::of(m_impl->state, pixels());
+}
+
+void Viewport::addOverlay(QWidget* overlay) {
+    overlay->setParent(this);
+    overlay->setGeometry(rect());
+    overlay->lower();
+    if (m_impl->glView) m_impl->glView->lower();
+    if (m_impl->cpuView) m_impl->cpuView->lower();
+    m_impl->overlays.push_back(overlay);
 }
 
 bool Viewport::event(QEvent* event) {
@@ -360,6 +383,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 void Viewport::resizeEvent(QResizeEvent*) {
     m_impl->placeOverlays();
     Q_EMIT viewChanged();
+    Q_EMIT pictureChanged();
 }
 
 void Viewport::dragEnterEvent(QDragEnterEvent* event) {

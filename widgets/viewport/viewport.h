@@ -1,7 +1,7 @@
 #pragma once
 
 #include "widgets/viewport/navigation.h"
-#include "widgets/viewport/view_state.h"
+#include "widgets/viewport/view_snapshot.h"
 
 #include <QImage>
 #include <QWidget>
@@ -59,6 +59,7 @@ public:
     void setNavigation(Navigation navigation);
     /// Display-referred RGB in [0, 1].
     void setBackground(glm::vec3 color);
+    glm::vec3 background() const;
     /// Fits all visible objects (Home); cameraEdited follows.
     void frameAll();
 
@@ -69,10 +70,16 @@ public:
     QSize pixels() const;
     /// Where each object's view-aligned texture lies, as followed through all moves so far; device pixels.
     std::vector<methods::TexturePlacement> placements() const;
+    /// All that the picture is made from, for another thread.
+    ViewSnapshot snapshot() const;
+    /// Puts a widget over the picture, as large as it, below all else that lies there; it belongs to the
+    /// viewport.
+    void addOverlay(QWidget* overlay);
 
 Q_SIGNALS:
     void cameraEdited(const scene::Camera& camera);  ///< after every navigation step
     void viewChanged();                              ///< another camera, or another size in device pixels
+    void pictureChanged();                           ///< anything that the picture shows, its size included
     void lightEdited(int light, glm::vec3 vector);   ///< while a drag turns the light
     void lightEditFinished();                        ///< the drag ended
     void frameDrawn(double milliseconds);            ///< a frame was drawn; how long that took

@@ -78,6 +78,21 @@ double overlapCorrelation(const PaintedObject& object) {
     return sum / std::sqrt(first * second);
 }
 
+TEST(PlanObject, GivesAllViewsOfAnObjectMapsOfOneDensity) {
+    scene::Mesh needle = test::ball(24, 12);
+    for (glm::vec3& position : needle.positions) position.x *= 3;
+    const auto object = planned(std::move(needle), 256);
+    int largest = 0;
+    double least = 1e9, most = 0;
+    for (const views::FaceGroup& group : object->plan.groups) {
+        largest = std::max(largest, group.view.size);
+        least = std::min(least, group.view.texelsPerUnit());
+        most = std::max(most, group.view.texelsPerUnit());
+    }
+    EXPECT_EQ(largest, 256);
+    EXPECT_LT(most, 1.01 * least);
+}
+
 TEST(ViewTextures, ViewsAgreeOnTheFacesTheyShareWhenTheyPropagate) {
     const double with = overlapCorrelation(*painted(test::ball(48, 24)));
     const double without = overlapCorrelation(*painted(test::ball(48, 24), false));
@@ -194,6 +209,20 @@ TEST(ViewDependent, FollowingTheCameraFavoursTheViewsNearIt) {
         ++faces;
     }
     EXPECT_GT(faces, 20);
+}
+
+/// Too small for any texel's centre, and inside the ball, so that it has a view of its own.
+TEST(ViewDependent, PaintsASpeckThatItsViewHasNoTexelFor) {
+    scene::Mesh mesh = test::ball(16, 8);
+    const auto first = std::uint32_t(mesh.positions.size()), face = std::uint32_t(mesh.triangles.size());
+    for (const glm::vec3 corner : {glm::vec3(0), glm::vec3(1e-4f, 0, 0), glm::vec3(0, 1e-4f, 5e-5f)}) {
+        mesh.positions.push_back(glm::vec3(0.0123f, 0.0377f, 0.0211f) + corner);
+        mesh.normals.push_back(glm::vec3(0, 0, 1));
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    const auto object = painted(std::move(mesh));
+    ASSERT_FALSE(object->weights->of(face).empty());
+    EXPECT_NE(viewDependentTexture({object.get(), nullptr, {}}, {}, face, {0.3f, 0.3f}, 0.5f), glm::vec3(0));
 }
 
 TEST(ViewDependent, PaintsEveryPixelOfOddMeshes) {

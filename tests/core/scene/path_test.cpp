@@ -29,6 +29,14 @@ TEST(Path, ALightSweepTurnsEveryLightAroundTheVerticalAxis) {
     EXPECT_EQ(quarter.camera, view.camera);
 }
 
+TEST(Path, AnApproachComesNearerByTheSameShareEachFrame) {
+    const Path path = Path::approaching();
+    EXPECT_EQ(path.at(1, start()).camera, start().camera);
+    EXPECT_FLOAT_EQ(path.at(3, start()).camera.distance, 0.96f * 0.96f);
+    EXPECT_FLOAT_EQ(path.at(999, start()).camera.distance, 0.01f);
+    EXPECT_FLOAT_EQ(path.at(3, start()).camera.azimuth, 30);
+}
+
 TEST(Path, ChannelsPassThroughTheirKeysAndRestBeyondThem) {
     for (const bool smooth : {false, true}) {
         Path path;

@@ -53,6 +53,45 @@ TEST(Planning, EveryFaceWithAreaOfEveryRealMeshIsInAGroup) {
     }
 }
 
+/// The share of the area that no view of a plan sees at 60 degrees or less.
+double steepShare(const Surface& surface, const ViewPlan& plan) {
+    std::vector<double> best(surface.faceCount(), 0);
+    for (const FaceGroup& group : plan.groups)
+        for (const std::uint32_t face : group.faces)
+            best[face] = std::max(best[face], Projector(group.view).facing(surface, face));
+    double steep = 0;
+    for (std::uint32_t face = 0; face < surface.faceCount(); ++face)
+        if (best[face] < 0.5) steep += surface.area(face);
+    return steep / surface.totalArea();
+}
+
+void expectSteepFacesSeen(const Surface& surface) {
+    const ViewPlan plan = planViews(surface, smallMaps());
+    const ViewPlan more = withSteepFacesSeen(surface, plan, smallMaps());
+    EXPECT_LT(steepShare(surface, more), 0.01);
+    ASSERT_GE(more.groups.size(), plan.groups.size());
+    EXPECT_TRUE(std::equal(plan.groups.begin(), plan.groups.end(), more.groups.begin()));
+}
+
+TEST(Planning, FacesShownSteeplyOnlyAreSeenBetter) {
+    // A wall stands so close before another that it can be looked past at flat angles only.
+    const Surface walls = test::surfaceOf({test::square(0), test::square(0.45f)});
+    EXPECT_GT(steepShare(walls, planViews(walls, smallMaps())), 0.4);
+    expectSteepFacesSeen(walls);
+    for (const test::OddMesh& odd : test::oddMeshes()) {
+        SCOPED_TRACE(odd.what);
+        expectSteepFacesSeen(test::surfaceOf(odd.parts));
+    }
+}
+
+TEST(Planning, FacesOfRealMeshesShownSteeplyOnlyAreSeenBetter) {
+    CHIARO_NEEDS_SHARED_DATA();
+    for (const char* name : {"spot_control_mesh.obj", "suzanne.ply", "teapot.stl", "rabbit.obj"}) {
+        SCOPED_TRACE(name);
+        expectSteepFacesSeen(test::surfaceOf(scene::readModel(test::sharedData() / "meshes" / name).meshes));
+    }
+}
+
 TEST(Planning, SizeDoesNotMatter) {
     const std::vector<scene::Mesh> parts = test::oddMeshes()[4].parts;
     const auto planAt = [&](float scale) {
