@@ -1,6 +1,7 @@
 #include "app/exporter.h"
 
 #include "app/animation_dialog.h"
+#include "app/animation_export.h"
 #include "app/document.h"
 #include "app/export_dialog.h"
 #include "app/jobs/job_runner.h"
@@ -73,22 +74,6 @@ void Exporter::exportPicture(const QString& folder) {
         });
 }
 
-void Exporter::exportMesh(const QString& folder) {
-    MeshExportDialog dialog({suggestion(folder, ".glb"), {}}, m_viewport.window());
-    if (dialog.exec() != QDialog::Accepted) return;
-    const MeshSettings settings = dialog.settings();
-    m_jobs.start(
-        {tr("Exporting %1").arg(nameOf(settings.path)), {}, {}, {}},
-        [source = source(), settings](const Task& task) { return app::exportMesh(source, settings, task); },
-        [this, settings](const exporting::AtlasReport& report) {
-            QString note =
-                tr("The painted mesh is at %1").arg(QString::fromStdString(settings.path.string()));
-            if (report.charts > 0 && report.padding < settings.params.padding)
-                note += tr(" · its texture has so many parts that they lie %1 px apart").arg(report.padding);
-            Q_EMIT exported(note);
-        });
-}
-
 void Exporter::renderAnimation(const QString& folder) {
     AnimationSettings suggested;
     suggested.output = suggestion(folder, ".####.png");
@@ -104,6 +89,22 @@ void Exporter::renderAnimation(const QString& folder) {
         },
         [this, path = settings.output](bool) {
             Q_EMIT exported(tr("The animation is at %1").arg(QString::fromStdString(path.string())));
+        });
+}
+
+void Exporter::exportMesh(const QString& folder) {
+    MeshExportDialog dialog({suggestion(folder, ".glb"), {}}, m_viewport.window());
+    if (dialog.exec() != QDialog::Accepted) return;
+    const MeshSettings settings = dialog.settings();
+    m_jobs.start(
+        {tr("Exporting %1").arg(nameOf(settings.path)), {}, {}, {}},
+        [source = source(), settings](const Task& task) { return app::exportMesh(source, settings, task); },
+        [this, settings](const exporting::AtlasReport& report) {
+            QString note =
+                tr("The painted mesh is at %1").arg(QString::fromStdString(settings.path.string()));
+            if (report.charts > 0 && report.padding < settings.params.padding)
+                note += tr(" · its texture has so many parts that they lie %1 px apart").arg(report.padding);
+            Q_EMIT exported(note);
         });
 }
 

@@ -31,6 +31,7 @@ public:
 
     /// `folder` is where files are suggested to go.
     void exportPicture(const QString& folder);
+    void renderAnimation(const QString& folder);
     void exportMesh(const QString& folder);
     /// The frames of the timeline's render range.
     void renderAnimation(const QString& folder);

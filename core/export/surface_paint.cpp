@@ -2,36 +2,15 @@
 
 namespace chiaro::exporting {
 
-SurfacePaint::SurfacePaint(const scene::Scene& scene, std::vector<methods::ViewDependentPaint> paints,
-                           methods::ViewDependentParams params, Meeting meeting, Bake bake)
-    : m_scene(scene), m_paints(std::move(paints)), m_params(params), m_meeting(meeting), m_bake(bake) {
+SurfacePaint::SurfacePaint(const SurfaceLight& light, std::vector<methods::ViewDependentPaint> paints,
+                           methods::ViewDependentParams params, Meeting meeting)
+    : m_light(light), m_paints(std::move(paints)), m_params(params), m_meeting(meeting) {
     m_params.followCamera = false;
-    for (const scene::Object& object : scene.objects)
-        m_normalMatrices.push_back(glm::transpose(glm::inverse(glm::mat3(object.transform))));
-}
-
-float SurfacePaint::light(std::size_t object, std::uint32_t face, glm::vec2 barycentrics) const {
-    if (m_bake == Bake::Texture) return 0.5f;
-    const scene::Mesh& mesh = *m_scene.objects[object].mesh;
-    const auto& [a, b, c] = mesh.triangles[face];
-    const glm::vec3 weights(1 - barycentrics.x - barycentrics.y, barycentrics);
-    const glm::vec3 point =
-        mesh.positions[a] * weights.x + mesh.positions[b] * weights.y + mesh.positions[c] * weights.z;
-    const glm::vec3 front =
-        glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
-    glm::vec3 normal =
-        mesh.normals[a] * weights.x + mesh.normals[b] * weights.y + mesh.normals[c] * weights.z;
-    if (glm::dot(normal, front) < 0) normal = -normal;
-    normal = m_normalMatrices[object] * normal;
-    const float length = glm::length(normal);
-    if (!(length > 0)) return 0.5f;
-    const glm::vec3 place(m_scene.objects[object].transform * glm::vec4(point, 1));
-    return scene::lightValue(m_scene.lights, place, normal / length);
 }
 
 glm::vec3 SurfacePaint::color(std::size_t object, std::uint32_t face, glm::vec2 barycentrics) const {
     const methods::ViewDependentPaint& paint = m_paints[object];
-    const float l = light(object, face, barycentrics);
+    const float l = m_light.at(object, face, barycentrics);
     const bool isPicture = m_meeting == Meeting::Pictures && paint.object;
     const glm::vec3 texture = isPicture
                                   ? ofPictures(*paint.object, face, barycentrics)

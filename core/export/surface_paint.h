@@ -1,16 +1,9 @@
 #pragma once
 
+#include "core/export/surface_light.h"
 #include "core/methods/view_dependent.h"
-#include "core/scene/scene.h"
 
 namespace chiaro::exporting {
-
-/// Which light a mesh takes along.
-enum class Bake {
-    Lit,     ///< the scene's: the colours that its pictures show
-    Texture  ///< the same light L = 1/2 everywhere: the paint's middle colour with its strokes and nothing of
-             ///< light and shadow, for a renderer that has lights of its own
-};
 
 /// How the textures of an object's views meet on its surface.
 enum class Meeting {
@@ -22,26 +15,23 @@ enum class Meeting {
 /// Shades any place of a scene's objects as the methods do (§4), without a camera.
 class SurfacePaint {
 public:
-    /// paints[i] belongs to objects[i] and must stay while it is used, as must the scene. An object without
-    /// textures of its views shows G(L) alone. Paint that follows the camera does not.
-    SurfacePaint(const scene::Scene& scene, std::vector<methods::ViewDependentPaint> paints,
-                 methods::ViewDependentParams params, Meeting meeting, Bake bake);
+    /// paints[i] belongs to object i of the light's scene; all that is referred to must stay while this is
+    /// used. An object without textures of its views shows G(L) alone. Paint that follows the camera does
+    /// not.
+    SurfacePaint(const SurfaceLight& light, std::vector<methods::ViewDependentPaint> paints,
+                 methods::ViewDependentParams params, Meeting meeting);
 
-    /// L at a place on the front of a face; barycentrics weigh its second and third corner.
-    float light(std::size_t object, std::uint32_t face, glm::vec2 barycentrics) const;
-    /// clip(G(L) + texture), display-referred.
+    /// clip(G(L) + texture), display-referred; barycentrics weigh the face's second and third corner.
     glm::vec3 color(std::size_t object, std::uint32_t face, glm::vec2 barycentrics) const;
 
 private:
     glm::vec3 ofPictures(const methods::PaintedObject& painted, std::uint32_t face,
                          glm::vec2 barycentrics) const;
 
-    const scene::Scene& m_scene;
+    const SurfaceLight& m_light;
     std::vector<methods::ViewDependentPaint> m_paints;
     methods::ViewDependentParams m_params;
     Meeting m_meeting;
-    Bake m_bake;
-    std::vector<glm::mat3> m_normalMatrices;
 };
 
 }  // namespace chiaro::exporting

@@ -2,7 +2,7 @@
 
 #include "core/base/image_io.h"
 #include "core/export/bake.h"
-#include "core/export/surface_paint.h"
+#include "core/export/surface_light.h"
 
 #include <filesystem>
 #include <string>

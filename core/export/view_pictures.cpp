@@ -23,25 +23,25 @@ glm::vec2 placeOn(const methods::ViewWeights::FaceView& view, glm::vec2 position
 
 /// What a view's map shows, as a picture of light.
 scene::GBuffer guideOf(const methods::ViewMap& map, std::size_t group, const methods::ViewWeights& weights,
-                       std::size_t object, const SurfacePaint& paint) {
-    ScalarImage light(map.face.width(), map.face.height(), -1);
+                       std::size_t object, const SurfaceLight& light) {
+    ScalarImage values(map.face.width(), map.face.height(), -1);
     IdImage ids(map.face.width(), map.face.height());
-    for (int y = 0; y < light.height(); ++y)
-        for (int x = 0; x < light.width(); ++x) {
+    for (int y = 0; y < values.height(); ++y)
+        for (int x = 0; x < values.width(); ++x) {
             const std::uint32_t face = map.face(x, y);
             if (face == views::noFace) continue;
             const auto views = weights.of(face);
             const auto view = std::ranges::find(views, group, &methods::ViewWeights::FaceView::group);
-            light(x, y) = paint.light(object, face, placeOn(*view, map.center(x, y)));
+            values(x, y) = light.at(object, face, placeOn(*view, map.center(x, y)));
             ids(x, y) = std::uint16_t(object + 1);
         }
-    return scene::gbufferFromGuide(light, &ids);
+    return scene::gbufferFromGuide(values, &ids);
 }
 
 }  // namespace
 
 methods::ViewTextures paintViews(const methods::PlannedObject& planned, const methods::ViewWeights& weights,
-                                 std::size_t object, const SurfacePaint& paint, const GuidePainter& painter,
+                                 std::size_t object, const SurfaceLight& light, const GuidePainter& painter,
                                  const Task& task) {
     const std::size_t count = planned.plan.groups.size();
     methods::ViewTextures textures;
@@ -50,7 +50,7 @@ methods::ViewTextures paintViews(const methods::PlannedObject& planned, const me
         const methods::ViewMap map = methods::ViewMap::of(planned, group);
         if (map.face.empty()) continue;
         const Task part = task.part(double(group) / double(count), double(group + 1) / double(count));
-        const methods::Frame frame = painter(guideOf(map, group, weights, object, paint), part);
+        const methods::Frame frame = painter(guideOf(map, group, weights, object, light), part);
         Image<methods::PackedTexel> level(map.face.width(), map.face.height());
         std::ranges::transform(frame.texture.pixels(), level.pixels().begin(), methods::packed);
         textures.views[group] = {map.origin, {std::move(level)}};

@@ -1,6 +1,7 @@
 #include "core/project/mesh_export.h"
 
 #include "core/base/error.h"
+#include "core/export/surface_paint.h"
 #include "core/export/view_pictures.h"
 #include "core/project/render_method.h"
 
@@ -45,6 +46,7 @@ public:
                 const MeshExportParams& params)
         : m_project(project), m_params(params) {
         m_scene.lights = scene.lights;
+        m_scene.occlusion = scene.occlusion;
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
             if (!scene.objects[i].visible || !scene.objects[i].mesh) continue;
             m_scene.objects.push_back(scene.objects[i]);
@@ -63,8 +65,11 @@ public:
         };
         ExportedMesh result;
         result.scene.bake = m_params.bake;
-        prepareObjects(scene, task.part(0, 0.4));
-        const exporting::SurfacePaint paint = surfacePaint(paints());
+        const exporting::SurfaceLight light(m_scene, m_params.bake, task.part(0, 0.05));
+        prepareObjects(scene, light, task.part(0.05, 0.4));
+        const auto meeting = renderMethod(m_project.method).usesViews ? exporting::Meeting::Agreed
+                                                                      : exporting::Meeting::Pictures;
+        const exporting::SurfacePaint paint(light, paints(), m_project.viewDependent, meeting);
         if (format == MeshFormat::Ply) {
             colorVertices(paint, result, task.part(0.4, 1));
             result.bakeSeconds = lap();
@@ -89,23 +94,24 @@ public:
 
 private:
     /// Views and their textures, of the methods that have none of their own too.
-    void prepareObjects(const scene::Scene& scene, const Task& task) {
+    void prepareObjects(const scene::Scene& scene, const exporting::SurfaceLight& light, const Task& task) {
         const double share = 1 / double(m_worn.size());
         for (std::size_t i = 0; i < m_worn.size(); ++i) {
             const Task part = task.part(share * double(i), share * double(i + 1));
-            if (!m_worn[i].views) m_worn[i].views = paintedViews(scene, i, part);
+            if (!m_worn[i].views) m_worn[i].views = paintedViews(scene, i, light, part);
             m_painted.push_back(m_worn[i].views);
         }
     }
 
     std::shared_ptr<const methods::PaintedObject> paintedViews(const scene::Scene& scene, std::size_t i,
+                                                               const exporting::SurfaceLight& light,
                                                                const Task& task) {
         auto painted = std::make_shared<methods::PaintedObject>();
         painted->planned = planObject(m_project, scene, m_places[i], task.part(0, 0.3));
         painted->weights =
             std::make_shared<const methods::ViewWeights>(*painted->planned, m_project.views.epsilon);
         painted->textures = exporting::paintViews(
-            *painted->planned, *painted->weights, i, surfacePaint({}),
+            *painted->planned, *painted->weights, i, light,
             [this](const scene::GBuffer& guide, const Task& part) {
                 return renderFrame(m_project, m_worn, guide, part).frame;
             },
@@ -118,12 +124,6 @@ private:
         for (std::size_t i = 0; i < m_worn.size(); ++i)
             paints.push_back({m_painted[i].get(), &m_worn[i].paint->shown, glm::vec3(0)});
         return paints;
-    }
-
-    exporting::SurfacePaint surfacePaint(std::vector<methods::ViewDependentPaint> paints) const {
-        const auto meeting = renderMethod(m_project.method).usesViews ? exporting::Meeting::Agreed
-                                                                      : exporting::Meeting::Pictures;
-        return {m_scene, std::move(paints), m_project.viewDependent, meeting, m_params.bake};
     }
 
     exporting::Atlas makeAtlas(const Task& task) const {

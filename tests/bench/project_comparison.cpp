@@ -19,9 +19,9 @@ void Comparison(benchmark::State& state) {
     for (project::Sample& sample : project.samples)
         sample.scan = test::resource("demo/samples/" + strip + ".png");
     std::vector<std::shared_ptr<const scene::Mesh>> meshes;
-    for (const scene::Mesh& mesh : scene::readModel(project.mesh).meshes)
+    for (const scene::Mesh& mesh : scene::readModel(project.meshes.at(0).path).meshes)
         meshes.push_back(std::make_shared<const scene::Mesh>(mesh));
-    const scene::Scene scene = project::makeScene(project, meshes);
+    const scene::Scene scene = project::makeScene(project, {meshes});
     project::ComparisonParams params;
     params.seeds = 1;
     params.measure.pixels = 1000;

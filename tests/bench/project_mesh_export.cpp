@@ -26,7 +26,7 @@ struct Stage {
         std::vector<std::shared_ptr<const scene::Mesh>> shared;
         for (scene::Mesh& mesh : meshes)
             shared.push_back(std::make_shared<const scene::Mesh>(std::move(mesh)));
-        scene = project::makeScene(project, shared);
+        scene = project::makeScene(project, {shared});
         paints.push_back(project::preparePaint(project, 0));
     }
 

@@ -19,9 +19,9 @@ struct Demo {
     explicit Demo(const char* strip) : settings(project::readProject(resource("demo/demo.chiaro"))) {
         for (project::Sample& sample : settings.samples) sample.scan = resource(strip);
         std::vector<std::shared_ptr<const scene::Mesh>> meshes;
-        for (const scene::Mesh& mesh : scene::readModel(settings.mesh).meshes)
+        for (const scene::Mesh& mesh : scene::readModel(settings.meshes.at(0).path).meshes)
             meshes.push_back(std::make_shared<const scene::Mesh>(mesh));
-        scene = project::makeScene(settings, meshes);
+        scene = project::makeScene(settings, {meshes});
     }
     project::Project settings;
     scene::Scene scene;

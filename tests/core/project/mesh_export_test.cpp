@@ -63,7 +63,7 @@ Difference differenceFrom(const TwoBalls& balls, const exporting::TexturedScene&
     camera.azimuth = glm::degrees(std::atan2(direction.x, direction.z));
     camera.elevation = glm::degrees(std::asin(direction.y));
     camera = camera.framed(scene::boundsOf(balls.scene));
-    const scene::RayScene rays(glb.scene);
+    const scene::RayScene rays = scene::RayScene(glb.scene).with(balls.scene.occlusion);
     const scene::GBuffer gbuffer = scene::castGBuffer(rays, balls.scene.lights, camera, 400, 400);
     const ColorImage unlit = test::unlitPicture(glb, gbuffer).color;
     const methods::Frame own = renderFrame(balls.project, balls.wornByObjects(), gbuffer).frame;
@@ -118,6 +118,17 @@ TEST(MeshExport, TakesTheLightAlongOrNot) {
     for (const glm::u8vec3& pixel : texture.pixels()) sum += glm::dvec3(pixel) / 255.0;
     const glm::vec3 middle = gradient::lookUp(balls.paints[0].shown, 0.5);
     EXPECT_LT(glm::distance(glm::vec3(sum / double(texture.pixelCount())), middle), 0.06f);
+}
+
+TEST(MeshExport, TakesShadowsAlong) {
+    TwoBalls balls("view-dependent");
+    balls.scene.lights.front().vector = {1, 0.4f, 0.3f};  // past the small ball onto the large one
+    const auto plain = balls.exported().scene.texture;
+    balls.scene.occlusion.shadows = true;
+    balls.scene.occlusion.ambient = 0.5;
+    const ExportedMesh mesh = balls.exported();
+    EXPECT_NE(mesh.scene.texture, plain);
+    EXPECT_LT(differenceFrom(balls, mesh.scene, glm::normalize(glm::vec3(0.6f, 0.2f, 1))).mean, 4);
 }
 
 TEST(MeshExport, HoldsTheVisibleObjectsByName) {
