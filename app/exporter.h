@@ -33,8 +33,6 @@ public:
     void exportPicture(const QString& folder);
     void renderAnimation(const QString& folder);
     void exportMesh(const QString& folder);
-    /// The frames of the timeline's render range.
-    void renderAnimation(const QString& folder);
 
 Q_SIGNALS:
     /// What was written, and where.
