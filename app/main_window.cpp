@@ -286,7 +286,7 @@ void MainWindow::makeRenderMenu() {
     QMenu* render = menuBar()->addMenu(tr("&Render"));
     m_methods->addTo(*render);
     render->addSeparator();
-    addAction(*render, "export", tr("Render &Animation…"), QKeySequence("Ctrl+Shift+E"),
+    addAction(*render, "export", tr("Render &Animation…"), QKeySequence("Ctrl+F12"),
               [this] { m_exporter->renderAnimation(folder()); });
     m_timelineDock->addTo(*render);
 }

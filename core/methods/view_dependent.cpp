@@ -59,7 +59,6 @@ glm::vec3 viewDependentTexture(const ViewDependentPaint& paint, const ViewDepend
     glm::vec3 sum(0);
     float total = 0, squares = 0;
     for (const ViewWeights::FaceView& view : object.weights->of(face)) {
-        if (object.textures.views[view.group].levels.empty()) continue;  // all its faces lie between texels
         const auto& [a, b, c] = view.corners;
         float weight = a.weight * weights.x + b.weight * weights.y + c.weight * weights.z;
         if (params.followCamera)
