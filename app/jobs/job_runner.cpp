@@ -127,7 +127,7 @@ void JobRunner::cancel(int number) {
 }
 
 void JobRunner::cancelAll() {
-    while (!m_jobs.empty()) cancel(m_jobs.begin()->first);
+    for (const JobInfo& job : jobs()) cancel(job.number);
 }
 
 }  // namespace chiaro::app

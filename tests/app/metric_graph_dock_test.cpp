@@ -51,6 +51,7 @@ struct Graph {
     /// So small that a test can wait for it.
     static app::ComparisonSettings small() {
         app::ComparisonSettings settings;
+        settings.movement = app::ComparisonSettings::Movement::Turntable;
         settings.frames = 3;
         settings.period = 24;
         settings.size = 72;
