@@ -126,8 +126,6 @@ void MainWindow::makeMetrics() {
     m_metrics = std::make_unique<MetricTools>(m_document, m_jobs, m_paints, m_meshes, *m_viewport);
     m_metrics->comparison().setCache(m_objectTextures.cache());
     MetricGraphDock& dock = m_metrics->dock();
-    addDockWidget(Qt::BottomDockWidgetArea, &dock);
-    dock.hide();
     connect(m_sampleDock, &SampleDock::currentSampleChanged, m_metrics.get(), &MetricTools::setSample);
     m_metrics->setSample(m_sampleDock->currentSample());
     connect(&dock, &MetricGraphDock::frameWanted, this, [this](int frame) {
@@ -146,9 +144,19 @@ void MainWindow::makeBottomDocks() {
     addDockWidget(Qt::BottomDockWidgetArea, m_timelineDock);
     addDockWidget(Qt::BottomDockWidgetArea, m_jobsDock);
     addDockWidget(Qt::BottomDockWidgetArea, m_historyDock);
-    tabifyDockWidget(m_timelineDock, m_jobsDock);
+    addDockWidget(Qt::BottomDockWidgetArea, &m_metrics->dock());
+    tabifyDockWidget(m_timelineDock, &m_metrics->dock());
+    tabifyDockWidget(&m_metrics->dock(), m_jobsDock);
     tabifyDockWidget(m_jobsDock, m_historyDock);
     m_timelineDock->raise();
+    // Curves want more room than keys do: the first look at them makes it.
+    auto* firstLook = new QObject(this);
+    connect(&m_metrics->dock(), &QDockWidget::visibilityChanged, firstLook, [this, firstLook](bool isSeen) {
+        if (!isSeen || !isVisible()) return;
+        firstLook->deleteLater();
+        QDockWidget* dock = &m_metrics->dock();
+        resizeDocks({dock}, {std::max(dock->height(), height() * 2 / 5)}, Qt::Vertical);
+    });
 }
 
 void MainWindow::arrangeDocks() {

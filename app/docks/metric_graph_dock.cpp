@@ -94,7 +94,7 @@ QWidget* MetricGraphDock::makeSide() {
     m_note->setProperty("note", true);
     m_note->setWordWrap(true);
     auto* row = new QHBoxLayout;
-    row->addWidget(heading(tr("Turntable")), 1);
+    row->addWidget(heading(tr("Comparison")), 1);
     row->addWidget(m_measure);
 
     auto* layout = new QVBoxLayout(side);
