@@ -39,7 +39,7 @@ private:
     QAction* m_shading = nullptr;
 };
 
-/// "similarity 0.0832 ± 0.0031 · shading 0.104", for a status bar; empty while nothing is known.
+/// "similarity 0.083 · shading 0.104", for a status bar; empty while nothing is known.
 QString measureText(const ViewMeasures& measures);
 
 }  // namespace chiaro::app

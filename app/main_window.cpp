@@ -154,6 +154,9 @@ void MainWindow::makeBottomDocks() {
     connect(&m_metrics->dock(), &QDockWidget::visibilityChanged, firstLook, [this, firstLook](bool isSeen) {
         if (!isSeen || !isVisible()) return;
         firstLook->deleteLater();
+        QSettings settings;
+        if (settings.value("metric-graph/seen").toBool()) return;
+        settings.setValue("metric-graph/seen", true);
         QDockWidget* dock = &m_metrics->dock();
         resizeDocks({dock}, {std::max(dock->height(), height() * 2 / 5)}, Qt::Vertical);
     });

@@ -81,8 +81,10 @@ double MethodComparison::progress() const {
 
 void MethodComparison::applyChange(Change change) {
     if (change.kind == Change::Kind::Method) return;
-    if (change.kind == Change::Kind::Animation && m_movement != ComparisonSettings::Movement::Timeline)
-        return;
+    using Movement = ComparisonSettings::Movement;
+    const bool isOfTimeline = (m_result && m_result->settings.movement == Movement::Timeline) ||
+                              (m_job != 0 && m_movement == Movement::Timeline);
+    if (change.kind == Change::Kind::Animation && !isOfTimeline) return;
     m_isOutdated = m_result != nullptr;
     if (change.kind == Change::Kind::Everything) {
         m_result = nullptr;

@@ -82,7 +82,7 @@ private:
     std::shared_ptr<const Comparison> m_result;
     bool m_isOutdated = false;
     QString m_problem;
-    ComparisonSettings::Movement m_movement{};  ///< of the last one
+    ComparisonSettings::Movement m_movement{};  ///< of the last one begun
     int m_job = 0;
 };
 

@@ -67,9 +67,4 @@ void MissingFilesDialog::findSelected() {
     show(project::missingFiles(m_project));
 }
 
-void MissingFilesDialog::findFirst(const QString& path) {
-    project::relink(m_project, m_missing.front(), std::filesystem::path(path.toStdString()));
-    show(project::missingFiles(m_project));
-}
-
 }  // namespace chiaro::app

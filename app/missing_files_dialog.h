@@ -18,8 +18,6 @@ public:
     /// The project is changed as files are found; it must stay.
     explicit MissingFilesDialog(project::Project& project, QWidget* parent = nullptr);
 
-    /// As if the artist had chosen this file for the first that is missing.
-    void findFirst(const QString& path);
     QTreeWidget* list() const { return m_list; }
 
 private:

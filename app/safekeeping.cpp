@@ -43,8 +43,9 @@ bool Safekeeping::offerRecovery() {
     const Autosave::Leftover chosen = dialog.chosen();
     connect(
         &m_opener, &Opener::projectOpened, this,
-        [this, chosen] {
-            if (m_document.isModified()) m_autosave.takeOver(chosen);
+        [this, chosen](const QString& path) {
+            const bool isRecovered = path == QString::fromStdString(chosen.original.string());
+            if (isRecovered && m_document.isModified()) m_autosave.takeOver(chosen);
         },
         Qt::SingleShotConnection);
     m_opener.recover(chosen.kept, chosen.original);

@@ -121,7 +121,7 @@ QWidget* ParameterForm::makeNumber(int index) {
     } else {
         layout->addStretch(1);
     }
-    layout->addWidget(field);
+    layout->addWidget(field, 0, Qt::AlignRight);  // also where a narrow form hides sliders
 
     m_show[std::size_t(index)] = [field, slider, step, minimum = spec.minimum](double value) {
         const QSignalBlocker quietField(field);

@@ -227,6 +227,7 @@ void Timeline::dragTo(double x) {
             if (frame != m_current) Q_EMIT currentFrameEdited(frame);
             return;
         case Drag::Key: {
+            if (!m_selected) return;  // it was removed meanwhile
             // A key never lands on another: that would be gone for good amid a drag.
             const auto& keys = m_lanes[std::size_t(m_selected->lane)].keys;
             if (std::ranges::binary_search(keys, frame)) return;
@@ -285,6 +286,11 @@ void Timeline::wheelEvent(QWheelEvent* event) {
 }
 
 bool Timeline::event(QEvent* event) {
+    // Home is the first frame here, whatever it is a shortcut of elsewhere.
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Home) {
+        event->accept();
+        return true;
+    }
     if (event->type() == QEvent::ToolTip) {
         const QPointF position = static_cast<QHelpEvent*>(event)->pos();
         if (const auto key = keyAt(position))

@@ -52,11 +52,13 @@ struct CompareCommand {
         wanted.height = pixels.y;
         project::Project project = source.load();
         if (settings == "report") project = project::animatedAsReported(std::move(project));
-        const scene::Scene scene = readScene(project);
+        refuseInputs(project, wanted);
+        const Task task = session.task("compare");
+        const scene::Scene scene = readScene(project, task.part(0, 0.05));
         const project::TextureCache cache(project::TextureCache::standardFolder());
         Stopwatch stopwatch;
         const auto table =
-            project::compareMethods(project, scene, path.path(), wanted, session.task("compare"), &cache);
+            project::compareMethods(project, scene, path.path(), wanted, task.part(0.05, 1), &cache);
         const std::string markdown = project::comparisonMarkdown(table);
         writeFileAtomically(folder / "table.md", markdown + "\n" + measuredWhat(project, wanted));
         writeFileAtomically(folder / "table.csv", project::comparisonCsv(table));
@@ -74,6 +76,17 @@ struct CompareCommand {
         for (const project::MeshFile& mesh : project.meshes)
             names += (names.empty() ? "" : ", ") + mesh.path.filename().string();
         return names;
+    }
+
+    fs::path pictureOf(int frame) const { return folder / fmt::format("frame.{:04}.png", frame); }
+
+    void refuseInputs(const project::Project& project, const project::ComparisonParams& wanted) const {
+        std::vector<fs::path> inputs{source.path(), path.name()};
+        for (const project::MeshFile& mesh : project.meshes) inputs.push_back(mesh.path);
+        for (const project::Sample& sample : project.samples) inputs.push_back(sample.scan);
+        std::vector<fs::path> outputs{folder / "table.md", folder / "table.csv", folder / "frames.csv"};
+        for (int frame = 1; frame <= wanted.frames; ++frame) outputs.push_back(pictureOf(frame));
+        refuseOverwriting(inputs, outputs);
     }
 
     /// Below the table: what it is of, and the pictures.
@@ -108,8 +121,7 @@ struct CompareCommand {
             parameters.update(path.parameters());
             parameters["settings"] = settings;
             parameters["frame"] = frame + 1;
-            writeImage(folder / fmt::format("frame.{:04}.png", frame + 1),
-                       contactSheet(pictures, int(pictures.size()), 8),
+            writeImage(pictureOf(int(frame) + 1), contactSheet(pictures, int(pictures.size()), 8),
                        pictureMetadata("compare", parameters));
         }
     }

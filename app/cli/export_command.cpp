@@ -18,6 +18,7 @@ struct ExportCommand {
 
     void run(Session& session) const {
         session.start();
+        usageFrom("--output", [this] { exporting::meshFormat(output); });
         const exporting::MeshFormat format = exporting::meshFormat(output);
         project::Project project = source.load();
         std::vector<std::filesystem::path> inputs{source.path()};

@@ -32,9 +32,8 @@ public:
 
     int id() const override { return int(change().kind) << 20 | change().index; }
     bool mergeWith(const QUndoCommand* command) override {
-        // The id tells the value and with it the type.
-        const auto* next = static_cast<const ChangeValue*>(command);
-        if (next->m_session != m_session) return false;
+        const auto* next = dynamic_cast<const ChangeValue*>(command);
+        if (!next || next->m_session != m_session) return false;
         m_after = next->m_after;
         setObsolete(changesNothing());
         return true;

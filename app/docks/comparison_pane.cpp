@@ -8,6 +8,8 @@
 
 #include <QtWidgets>
 
+#include <utility>
+
 namespace chiaro::app {
 
 ComparisonPane::ComparisonPane(MethodComparison& comparison, QWidget* parent)
@@ -64,6 +66,8 @@ MetricSheet ComparisonPane::sheet() const {
 
 void ComparisonPane::show() {
     const auto result = m_comparison.result();
+    if (result && std::exchange(m_shown, result) == result) return;
+    m_shown = result;
     m_hint->setVisible(!result);
     m_row->setVisible(result != nullptr);
     QStringList names;

@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+#include <memory>
+
 class QLabel;
 
 namespace chiaro::widgets {
@@ -13,6 +15,7 @@ class MetricRow;
 
 namespace chiaro::app {
 
+struct Comparison;
 class MethodComparison;
 
 /// The errors of every method, frame by frame: a chart an error, of which the artist chooses which to see.
@@ -37,6 +40,7 @@ private:
     widgets::MetricLegend* m_legend = nullptr;
     widgets::MetricRow* m_row = nullptr;
     QLabel* m_hint = nullptr;
+    std::shared_ptr<const Comparison> m_shown;
 };
 
 }  // namespace chiaro::app

@@ -177,10 +177,16 @@ void SceneDock::applyChange(Change change) {
     if (change.kind == Kind::Everything || change.kind == Kind::Samples || change.kind == Kind::Objects ||
         change.kind == Kind::Lights)
         showCurrent();
-    if (change.kind == Kind::Everything) selectRow(0);
+    if (change.kind != Kind::Everything) return;
+    selectRow(0);
+    Q_EMIT lightSelected(0);
 }
 
 void SceneDock::showCurrent() {
+    const project::Project& project = m_document.project();
+    if (m_model->objectCount() != int(project.objects.size()) ||
+        m_model->lightCount() != int(project.lights.size()))
+        return;  // the model hears of the change later, and calls here again
     const std::vector<int> rows = selectedRows();
     const int row = currentRow();
     const bool hasObject = std::ranges::any_of(rows, [this](int one) { return !m_model->isLight(one); });

@@ -59,6 +59,10 @@ std::uint64_t contentHash(const Shot& shot) {
         hasher.add(one.paint->strip.pixels())
             .add(one.paint->separation.texture.pixels())
             .add(std::span(one.paint->shown));
+    for (const ObjectSettings& object : shot.project.objects)
+        for (const PlacedView& placed : object.views)
+            for (const glm::vec3& vector : {placed.direction, placed.up})
+                hasher.add(vector.x).add(vector.y).add(vector.z);
     for (const double value : scene::OcclusionParams::table().values(shot.scene.occlusion)) hasher.add(value);
     addView(hasher, shot.view(1));
     addPath(hasher, shot.path);

@@ -34,11 +34,6 @@ void addKeys(const JsonReader& key, int frame, scene::Path& path) {
     addKey(key, "field-of-view", frame, 1, 120, path.fieldOfView);
     addKey(key, "target", frame, path.target);
     addKey(key, "light", frame, path.light);
-    if (key.has("light")) {
-        glm::vec3 light(0);
-        key.read("light", light);
-        if (glm::length(light) == 0) throw key.wrong("light", "a direction that is not zero");
-    }
 }
 
 using Keys = std::map<int, Json>;
@@ -64,6 +59,7 @@ scene::Path pathFromJson(const JsonReader& reader) {
     path.smooth = interpolation == "smooth";
     reader.read("camera-turn", path.cameraTurn, -360, 360);
     reader.read("light-turn", path.lightTurn, -360, 360);
+    reader.read("approach", path.approach, 0.01, 100);
     if (!reader.has("keys")) return path;
     int last = 0;
     for (const JsonReader& key : reader.children("keys")) {
@@ -81,6 +77,7 @@ Json jsonFromPath(const scene::Path& path) {
     Json json{{"interpolation", path.smooth ? "smooth" : "linear"}};
     if (path.cameraTurn != 0) json["camera-turn"] = path.cameraTurn;
     if (path.lightTurn != 0) json["light-turn"] = path.lightTurn;
+    if (path.approach != 1) json["approach"] = path.approach;
     Keys keys;
     writeChannel("azimuth", path.azimuth, keys);
     writeChannel("elevation", path.elevation, keys);

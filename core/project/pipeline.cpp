@@ -1,5 +1,6 @@
 #include "core/project/pipeline.h"
 
+#include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/project/objects.h"
 #include "core/project/render_method.h"
@@ -41,6 +42,8 @@ Paint preparePaint(const Project& project, std::size_t sample, const Task& task)
 
 namespace {
 
+constexpr std::size_t maximumObjects = 65535;  // object ids have 16 bits
+
 std::shared_ptr<const scene::Mesh> meshNamed(const MeshList& model, const std::string& name) {
     const auto found = std::ranges::find(model, name, [](const auto& mesh) { return mesh->name; });
     return found == model.end() ? nullptr : *found;
@@ -72,6 +75,9 @@ scene::Scene makeScene(const Project& project, const std::vector<MeshList>& mode
         object.sample = settings.sample;
         object.visible = settings.visible;
     }
+    if (scene.objects.size() > maximumObjects)
+        throw Error("the scene", fmt::format("has {} objects", scene.objects.size()),
+                    fmt::format("at most {} are painted", maximumObjects));
     return scene;
 }
 
@@ -167,6 +173,16 @@ std::shared_ptr<const methods::PaintedObject> paintObject(
     return painted;
 }
 
+namespace {
+
+bool hasPlacedViews(const Project& project, const scene::Object& object) {
+    return std::ranges::any_of(project.objects, [&](const ObjectSettings& settings) {
+        return settings.name == object.name && !settings.views.empty();
+    });
+}
+
+}  // namespace
+
 WornPaints wornPaints(const Project& project, const scene::Scene& scene, const std::vector<Paint>& paints,
                       const Task& task, const TextureCache* cache) {
     WornPaints worn;
@@ -179,7 +195,11 @@ WornPaints wornPaints(const Project& project, const scene::Scene& scene, const s
         Worn& one = worn.emplace_back(
             Worn{&paints[std::size_t(object.sample)], nullptr, glm::inverse(object.transform)});
         if (!usesViews || !object.visible || !object.mesh) continue;
-        auto& views = painted[{object.mesh.get(), object.sample, scaleOf(object)}];
+        // A copy of an object wears its textures, unless the artist placed views on either.
+        std::shared_ptr<const methods::PaintedObject> own;
+        auto& views = hasPlacedViews(project, object)
+                          ? own
+                          : painted[{object.mesh.get(), object.sample, scaleOf(object)}];
         if (!views) {
             const Task part = task.part(share * double(i), share * double(i + 1));
             views = paintObject(project, planObject(project, scene, i, part.part(0, 0.2)), *one.paint,

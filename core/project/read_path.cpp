@@ -18,6 +18,11 @@ scene::Path readPath(const std::filesystem::path& file) {
     reader.read("path", version, 1, 1);
     const scene::Path path = pathFromJson(reader);
     if (reader.at("keys").empty()) throw reader.wrong("keys", "at least one key");
+    for (const JsonReader& key : reader.children("keys")) {
+        glm::vec3 light(1);
+        if (key.has("light")) key.read("light", light);
+        if (light == glm::vec3(0)) throw key.wrong("light", "a direction that is not zero");
+    }
     return path;
 }
 

@@ -62,6 +62,14 @@ class SceneDockTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void aProjectWithoutObjectsTakesThePlaceOfOneWithSome() {
+        Stage stage;
+        stage.select({1});
+        stage.studio.document.replace({}, {}, {});
+        QCOMPARE(stage.model().rowCount(), 1);  // the light
+        QVERIFY(stage.studio.settle());
+    }
+
     void theModelKeepsItsPromises() {
         Stage stage;
         const QAbstractItemModelTester tester(&stage.model(),

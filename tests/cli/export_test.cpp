@@ -84,7 +84,7 @@ TEST(Export, RefusesWhatCannotBe) {
     const std::filesystem::path mesh = folder / "squares.obj";
     writeFileAtomically(mesh, squares);
     for (const auto& [status, arguments] : std::vector<std::pair<int, std::vector<std::string>>>{
-             {1, exportTo(folder / "a.fbx", mesh)},
+             {2, exportTo(folder / "a.fbx", mesh)},
              {1, exportTo(mesh, mesh, {"--overwrite"})},
              {1, exportTo(mesh / "below/a.glb", mesh)},
              {1, exportTo(folder / "out/a.glb", folder / "missing.obj")},

@@ -36,9 +36,11 @@ Project everythingChanged(const test::TemporaryFolder& folder) {
     project.occlusion = {.shadows = true, .ambient = 0.5, .ambientRadius = 40};
     project.animation = {.frames = 100, .firstFrame = 10, .lastFrame = 20, .rate = 12.5};
     project.animation.path.cameraTurn = 3.6;
+    project.animation.path.approach = 0.98;
     project.animation.path.smooth = false;
     project.animation.path.setKey(1, scene::Camera{});
     project.animation.path.setKey(50, glm::vec3(0.1f, 0.2f, 0.3f));
+    project.animation.path.setKey(60, glm::vec3(0));  // a light at a point may stand there
     project.animation.path.azimuth.set(20, 45);
     project.frameCamera = false;
     project.camera = {.azimuth = 12.5f, .elevation = -3, .distance = 1.25f, .target = {1, 2, 3}, .radius = 4};
