@@ -1,5 +1,7 @@
 #include "app/animation_dialog.h"
 
+#include "app/replace_question.h"
+#include "core/export/frame_sequence.h"
 #include "core/export/video.h"
 
 #include <QtWidgets>
@@ -22,7 +24,7 @@ QSpinBox* sizeField(const char* key, int value, const QString& name) {
 
 AnimationDialog::AnimationDialog(const project::Animation& animation, const AnimationSettings& suggestion,
                                  QWidget* parent)
-    : QDialog(parent), m_suggestion(suggestion) {
+    : QDialog(parent), m_animation(animation), m_suggestion(suggestion) {
     setWindowTitle(tr("Render Animation"));
     auto* frames = new QLabel(
         tr("%1 to %2, %3 a second").arg(animation.firstFrame).arg(animation.lastFrame).arg(animation.rate));
@@ -65,7 +67,7 @@ AnimationDialog::AnimationDialog(const project::Animation& animation, const Anim
     layout->addWidget(buttons);
     connect(choose, &QPushButton::clicked, this, &AnimationDialog::browse);
     connect(m_path, &QLineEdit::textChanged, this, &AnimationDialog::showOutput);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::accepted, this, &AnimationDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     showOutput();
 }
@@ -77,6 +79,18 @@ AnimationSettings AnimationDialog::settings() const {
     settings.height = m_height->value();
     settings.transparent = m_transparent->isChecked() && m_transparent->isEnabled();
     return settings;
+}
+
+void AnimationDialog::accept() {
+    const std::filesystem::path output = settings().output;
+    std::vector<std::filesystem::path> files{output};
+    if (!exporting::isWritableVideo(output)) {
+        files.clear();
+        const exporting::FrameSequence sequence(output);
+        for (int frame = m_animation.firstFrame; frame <= m_animation.lastFrame; ++frame)
+            files.push_back(sequence.path(frame));
+    }
+    if (mayReplace(*this, files)) QDialog::accept();
 }
 
 void AnimationDialog::browse() {

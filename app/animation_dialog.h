@@ -22,10 +22,13 @@ public:
 
     AnimationSettings settings() const;
 
+    void accept() override;
+
 private:
     void browse();
     void showOutput();
 
+    project::Animation m_animation;
     AnimationSettings m_suggestion;
     QSpinBox* m_width = nullptr;
     QSpinBox* m_height = nullptr;

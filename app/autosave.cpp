@@ -50,7 +50,7 @@ Autosave::Autosave(Document& document, fs::path folder, Rhythm rhythm, QObject* 
     m_lock->tryLock();
     m_soon.setSingleShot(true);
     m_soon.setInterval(int(rhythm.seconds * 1000));
-    connect(&m_soon, &QTimer::timeout, this, &Autosave::keep);
+    connect(&m_soon, &QTimer::timeout, this, [this] { keep(); });
     connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this] { ++m_edits; });
     connect(&document, &Document::changed, this, &Autosave::noteEdit);
     connect(&document, &Document::modifiedChanged, this, [this](bool modified) {
@@ -78,17 +78,19 @@ void Autosave::follow() {
     if (!m_soon.isActive()) m_soon.start();
 }
 
-void Autosave::keep() {
+void Autosave::keep(std::filesystem::path replaced) {
     m_soon.stop();
     m_edits = 0;
     m_hasCopy = true;
     const nlohmann::json note{{"original", m_document.path().string()},
                               {"name", m_document.name().toStdString()}};
-    m_writer.start([this, copy = m_copy, note = note.dump(2), project = m_document.project()] {
+    m_writer.start([this, copy = m_copy, note = note.dump(2), project = m_document.project(),
+                    replaced = std::move(replaced)] {
         QString problem;
         try {
             writeFileAtomically(noteOf(copy), note);
             project::writeProject(copy, project);
+            if (!replaced.empty()) removeCopy(replaced);
         } catch (const std::exception& error) {
             problem = QString::fromStdString(error.what());
         }
@@ -146,8 +148,7 @@ void Autosave::discard(const Leftover& leftover) {
 }
 
 void Autosave::takeOver(const Leftover& leftover) {
-    keep();
-    discard(leftover);
+    keep(leftover.kept);
 }
 
 fs::path Autosave::standardFolder() {

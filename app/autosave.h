@@ -63,7 +63,8 @@ Q_SIGNALS:
 private:
     void noteEdit();
     void follow();
-    void keep();
+    /// `replaced`: a copy to remove once this one is written.
+    void keep(std::filesystem::path replaced = {});
     void clear();
 
     Document& m_document;

@@ -1,6 +1,6 @@
 #include "app/mesh_export_dialog.h"
 
-#include "core/base/error.h"
+#include "app/replace_question.h"
 #include "widgets/parameter_form.h"
 
 #include <QtWidgets>
@@ -116,20 +116,7 @@ MeshSettings MeshExportDialog::settings() const {
 }
 
 void MeshExportDialog::accept() {
-    if (mayReplace()) QDialog::accept();
-}
-
-bool MeshExportDialog::mayReplace() const {
-    QStringList there;
-    for (const std::filesystem::path& file : exporting::filesOf(settings().path))
-        if (QFileInfo::exists(QString::fromStdString(file.string())))
-            there << QString::fromStdString(file.filename().string());
-    if (there.isEmpty()) return true;
-    return QMessageBox::question(
-               const_cast<MeshExportDialog*>(this), windowTitle(),
-               there.size() == 1 ? tr("%1 is there already. Replace it?").arg(there.front())
-                                 : tr("%1 are there already. Replace them?").arg(there.join(", ")),
-               QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel) == QMessageBox::Yes;
+    if (mayReplace(*this, exporting::filesOf(settings().path))) QDialog::accept();
 }
 
 void MeshExportDialog::browse() {

@@ -29,7 +29,6 @@ private:
     void browse();
     void setFormat(int format);
     void showFile();
-    bool mayReplace() const;
     widgets::ParameterForm* makeForm(const std::vector<int>& indices);
 
     MeshSettings m_settings;

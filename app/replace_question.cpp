@@ -1,0 +1,28 @@
+#include "app/replace_question.h"
+
+#include <QtWidgets>
+
+namespace chiaro::app {
+
+bool mayReplace(QWidget& dialog, const std::vector<std::filesystem::path>& files) {
+    constexpr int listed = 3;
+    QStringList there;
+    for (const std::filesystem::path& file : files)
+        if (QFileInfo::exists(QString::fromStdString(file.string())))
+            there << QString::fromStdString(file.filename().string());
+    if (there.isEmpty()) return true;
+    const auto tr = [](const char* text) {
+        return QCoreApplication::translate("chiaro::app::ReplaceQuestion", text);
+    };
+    QString question = tr("%1 are there already. Replace them?").arg(there.mid(0, listed).join(", "));
+    if (there.size() == 1) question = tr("%1 is there already. Replace it?").arg(there.front());
+    if (there.size() > listed)
+        question = tr("%1 and %2 more are there already. Replace them?")
+                       .arg(there.mid(0, listed).join(", "))
+                       .arg(there.size() - listed);
+    return QMessageBox::question(&dialog, dialog.windowTitle(), question,
+                                 QMessageBox::Yes | QMessageBox::Cancel,
+                                 QMessageBox::Cancel) == QMessageBox::Yes;
+}
+
+}  // namespace chiaro::app
