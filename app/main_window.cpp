@@ -12,16 +12,20 @@
 #include "app/empty_hint.h"
 #include "app/exporter.h"
 #include "app/job_status.h"
+#include "app/menus/edit_menu.h"
+#include "app/menus/file_menu.h"
+#include "app/menus/help_menu.h"
+#include "app/menus/render_menu.h"
+#include "app/menus/sample_menu.h"
+#include "app/menus/scene_menu.h"
+#include "app/menus/view_menu.h"
 #include "app/method_switch.h"
 #include "app/metric_tools.h"
-#include "app/recent_files.h"
+#include "app/project_files.h"
 #include "app/safekeeping.h"
 #include "app/view_overlays.h"
 #include "app/viewport_link.h"
-#include "core/base/error.h"
 #include "widgets/message_bar.h"
-#include "widgets/sample_view.h"
-#include "widgets/tool_button.h"
 #include "widgets/viewport/viewport.h"
 
 #include <QtWidgets>
@@ -33,12 +37,6 @@ namespace {
 constexpr std::size_t memoBytes = std::size_t(1) << 30;
 constexpr int layoutVersion = 4;  ///< of the saved arrangement of docks
 constexpr glm::vec3 viewportBackground(0.165F);
-
-const char* const projectFilter = QT_TRANSLATE_NOOP("MainWindow", "Chiaro projects (*.chiaro)");
-const char* const stripFilter =
-    QT_TRANSLATE_NOOP("MainWindow", "Strips (*.png *.tif *.tiff *.jpg *.jpeg *.exr *.webp)");
-const char* const meshFilter =
-    QT_TRANSLATE_NOOP("MainWindow", "Meshes (*.obj *.ply *.off *.stl *.glb *.gltf)");
 
 QStringList localFiles(const QMimeData& data) {
     QStringList paths;
@@ -69,6 +67,9 @@ MainWindow::MainWindow()
     makeBottomDocks();
     makeToolBar();
     makeStatusBar();
+    m_files = new ProjectFiles(m_document, m_opener, *this);
+    m_exporter =
+        new Exporter(m_document, m_jobs, m_paints, m_meshes, m_objectTextures, m_playback, *m_viewport, this);
     makeMenus();
     connectParts();
     resize(1400, 900);
@@ -140,14 +141,14 @@ void MainWindow::makeMetrics() {
 void MainWindow::makeBottomDocks() {
     m_timelineDock = new TimelineDock(m_document, m_playback);
     m_jobsDock = new JobsDock(m_jobs);
-    m_historyDock = new HistoryDock(m_document.undoStack());
+    auto* history = new HistoryDock(m_document.undoStack());
     addDockWidget(Qt::BottomDockWidgetArea, m_timelineDock);
     addDockWidget(Qt::BottomDockWidgetArea, m_jobsDock);
-    addDockWidget(Qt::BottomDockWidgetArea, m_historyDock);
+    addDockWidget(Qt::BottomDockWidgetArea, history);
     addDockWidget(Qt::BottomDockWidgetArea, &m_metrics->dock());
     tabifyDockWidget(m_timelineDock, &m_metrics->dock());
     tabifyDockWidget(&m_metrics->dock(), m_jobsDock);
-    tabifyDockWidget(m_jobsDock, m_historyDock);
+    tabifyDockWidget(m_jobsDock, history);
     m_timelineDock->raise();
     // Curves want more room than keys do: the first look at them makes it.
     auto* firstLook = new QObject(this);
@@ -189,155 +190,47 @@ void MainWindow::makeStatusBar() {
     statusBar()->setSizeGripEnabled(false);
 }
 
-QAction* MainWindow::addAction(QMenu& menu, const char* icon, const QString& text, const QKeySequence& keys,
-                               const std::function<void()>& triggered) {
-    QAction* action = menu.addAction(text);
-    if (icon != nullptr) action->setIcon(widgets::icon(icon));
-    action->setShortcut(keys);
-    connect(action, &QAction::triggered, this, triggered);
-    return action;
-}
-
 void MainWindow::makeMenus() {
-    makeFileMenu();
-    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    QAction* undo = m_document.undoStack().createUndoAction(this, tr("&Undo"));
-    undo->setIcon(widgets::icon("undo"));
-    undo->setShortcuts(QKeySequence::Undo);
-    QAction* redo = m_document.undoStack().createRedoAction(this, tr("&Redo"));
-    redo->setIcon(widgets::icon("redo"));
-    redo->setShortcuts(QKeySequence::Redo);
-    edit->addActions({undo, redo});
-    makeViewMenu();
-    makeSampleMenu();
-    makeSceneMenu();
-    makeRenderMenu();
-    makeHelpMenu();
-}
-
-void MainWindow::makeFileMenu() {
-    QMenu* file = menuBar()->addMenu(tr("&File"));
-    addAction(*file, nullptr, tr("&New Project"), QKeySequence::New, [this] { newProject(); });
-    addAction(*file, "open", tr("&Open Project…"), QKeySequence::Open,
-              [this] { openByDialog(tr("Open Project"), tr(projectFilter)); });
-    m_recent = new RecentFiles(this);
-    file->addMenu(m_recent);
-    addAction(*file, "strip", tr("Open &Strip…"), QKeySequence("Ctrl+Shift+O"),
-              [this] { openByDialog(tr("Open Strip"), tr(stripFilter)); });
-    addAction(*file, "mesh", tr("Open &Mesh…"), QKeySequence("Ctrl+M"),
-              [this] { openByDialog(tr("Open Mesh"), tr(meshFilter)); });
-    file->addSeparator();
-    addAction(*file, "save", tr("&Save"), QKeySequence::Save, [this] { save(); });
-    addAction(*file, nullptr, tr("Save &As…"), QKeySequence::SaveAs, [this] { saveAs(); });
-    addAction(*file, "export", tr("&Export Picture…"), QKeySequence("Ctrl+E"),
-              [this] { m_exporter->exportPicture(folder()); });
-    addAction(*file, nullptr, tr("Export M&esh…"), QKeySequence("Ctrl+Shift+E"),
-              [this] { m_exporter->exportMesh(folder()); });
-    file->addSeparator();
-    addAction(*file, nullptr, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
-}
-
-void MainWindow::makeViewMenu() {
-    QMenu* view = menuBar()->addMenu(tr("&View"));
-    addAction(*view, "frame", tr("&Frame All"), QKeySequence("Home"), [this] { m_viewport->frameAll(); });
-    QMenu* navigation = view->addMenu(tr("&Navigation"));
-    auto* group = new QActionGroup(this);
-    const int chosen = QSettings().value("navigation", 0).toInt();
-    int number = 0;
-    for (const QString& name : {tr("&Blender"), tr("&Maya, Painter"), tr("&Trackpad")}) {
-        QAction* action =
-            addAction(*navigation, nullptr, name, {}, [this, number] { setNavigation(number); });
-        action->setCheckable(true);
-        action->setChecked(number == chosen);
-        group->addAction(action);
-        ++number;
-    }
-    m_viewport->setNavigation(widgets::Viewport::Navigation(chosen));
-    view->addActions({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
-    view->addSeparator();
-    m_metrics->addTo(*view);
-    view->addSeparator();
-    for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
-    addAction(*view, nullptr, tr("&Reset Layout"), {}, [this] {
+    auto* view = new ViewMenu(*m_viewport, *m_viewOverlays, *m_metrics, *this);
+    connect(view, &ViewMenu::resetLayoutWanted, this, [this] {
         restoreState(m_standardState, layoutVersion);
         arrangeDocks();
     });
-}
-
-void MainWindow::makeSampleMenu() {
-    QMenu* sample = menuBar()->addMenu(tr("&Sample"));
-    widgets::SampleView* view = m_sampleDock->sampleView();
-    QList<QAction*> edits{
-        addAction(*sample, "turn-left", tr("Turn &Left"), QKeySequence("Ctrl+["), [view] { view->turn(-1); }),
-        addAction(*sample, "turn-right", tr("Turn &Right"), QKeySequence("Ctrl+]"),
-                  [view] { view->turn(1); }),
-        addAction(*sample, "mirror", tr("&Mirror"), {}, [view] { view->mirror(); }),
-        addAction(*sample, "crop-reset", tr("&Whole Scan"), {}, [view] { view->resetCrop(); })};
-    sample->addSeparator();
-    edits << addAction(*sample, "paint", tr("&Paint Everything"), {},
-                       [this] { m_document.wearEverywhere(m_sampleDock->currentSample()); });
-    addAction(*sample, nullptr, tr("&Synthesise Again"), QKeySequence("F5"), [this] {
+    auto* sample = new SampleMenu(m_document, *m_sampleDock, *this);
+    connect(sample, &SampleMenu::synthesisWanted, this, [this] {
         m_paints.retry();
         m_frameTextures.retry();
         m_viewPlans.retry();
         m_objectTextures.retry();
     });
-    connect(sample, &QMenu::aboutToShow, this, [this, edits] {
-        for (QAction* action : edits) action->setEnabled(m_sampleDock->currentSample() >= 0);
-    });
-}
-
-void MainWindow::makeSceneMenu() {
-    QMenu* scene = menuBar()->addMenu(tr("S&cene"));
-    addAction(*scene, "mesh", tr("&Add Mesh…"), QKeySequence("Ctrl+Shift+M"), [this] { addMeshByDialog(); });
-    m_sceneDock->addTo(*scene);
-}
-
-void MainWindow::makeRenderMenu() {
-    QMenu* render = menuBar()->addMenu(tr("&Render"));
-    m_methods->addTo(*render);
-    render->addSeparator();
-    addAction(*render, "export", tr("Render &Animation…"), QKeySequence("Ctrl+F12"),
-              [this] { m_exporter->renderAnimation(folder()); });
-    m_timelineDock->addTo(*render);
-}
-
-void MainWindow::makeHelpMenu() {
-    QMenu* help = menuBar()->addMenu(tr("&Help"));
-    addAction(*help, "note", tr("&About Chiaro"), {}, [this] {
-        QMessageBox::about(this, tr("About Chiaro"),
-                           tr("<h3>Chiaro %1</h3><p>Shades 3D meshes with an artist's own paint.</p>"
-                              "<p>After Kulla, Tucek, Bailey and Grimm, <i>Using Texture Synthesis for "
-                              "Non-Photorealistic Shading from Paint Samples</i>, WUCSE-2003-54.</p>"
-                              "<p>GPL-3.0-or-later</p>")
-                               .arg(CHIARO_VERSION));
-    });
+    const std::initializer_list<QMenu*> menus{
+        new FileMenu(*m_files, *m_exporter, *this),
+        new EditMenu(m_document.undoStack(), *this),
+        view,
+        sample,
+        new SceneMenu(*m_files, *m_sceneDock, *this),
+        new RenderMenu(*m_methods, *m_files, *m_exporter, *m_timelineDock, *this),
+        new HelpMenu(*this)};
+    for (QMenu* menu : menus) menuBar()->addMenu(menu);
 }
 
 void MainWindow::connectParts() {
-    m_exporter =
-        new Exporter(m_document, m_jobs, m_paints, m_meshes, m_objectTextures, m_playback, *m_viewport, this);
+    connect(m_files, &ProjectFiles::failed, this, &MainWindow::showError);
     connect(m_exporter, &Exporter::exported, this, &MainWindow::showNote);
     connect(&m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
     connect(&m_document, &Document::pathChanged, this, &MainWindow::showTitle);
     connect(&m_jobs, &JobRunner::failed, this, &MainWindow::showError);
     connect(&m_opener, &Opener::failed, this, &MainWindow::showError);
     connect(&m_opener, &Opener::noted, this, &MainWindow::showNote);
-    connect(&m_opener, &Opener::projectOpened, this, [this](const QString& path) {
-        m_messages->hide();
-        if (!m_document.path().empty()) m_recent->add(path);
-    });
+    connect(&m_opener, &Opener::projectOpened, m_messages, &QWidget::hide);
     connect(&m_opener, &Opener::sampleOpened, m_sampleDock, &SampleDock::selectSample);
-    m_opener.setReplaceQuestion([this] { return mayDiscard(); });
     connect(&m_opener, &Opener::meshOpened, m_sceneDock, &SceneDock::selectRow);
-    connect(m_sceneDock, &SceneDock::addMeshWanted, this, &MainWindow::addMeshByDialog);
+    connect(m_sceneDock, &SceneDock::addMeshWanted, m_files, &ProjectFiles::addMesh);
     connect(m_sceneDock, &SceneDock::filesDropped, &m_opener, &Opener::add);
     connect(m_sceneDock, &SceneDock::lightSelected, m_viewport, &widgets::Viewport::setTurnedLight);
-    connect(m_recent, &RecentFiles::chosen, this, [this](const QString& path) { open({path}); });
     connect(m_sampleDock, &SampleDock::currentSampleChanged, m_gradientDock, &GradientDock::setSample);
     connect(m_sampleDock, &SampleDock::currentSampleChanged, &m_opener, &Opener::setCurrentSample);
-    connect(m_sampleDock, &SampleDock::addWanted, this,
-            [this] { openByDialog(tr("Open Strip"), tr(stripFilter)); });
+    connect(m_sampleDock, &SampleDock::addWanted, m_files, &ProjectFiles::openStrip);
     connect(m_viewport, &widgets::Viewport::filesDropped, this, &MainWindow::open);
     connect(m_viewport, &widgets::Viewport::frameDrawn, this, [this](double milliseconds) {
         m_frameTime->setText(tr("%1 · %2 ms").arg(m_methods->shownLabel()).arg(milliseconds, 0, 'f', 1));
@@ -346,68 +239,6 @@ void MainWindow::connectParts() {
 
 QString MainWindow::frameText() const {
     return m_frameTime->text();
-}
-
-void MainWindow::setNavigation(int navigation) {
-    m_viewport->setNavigation(widgets::Viewport::Navigation(navigation));
-    QSettings().setValue("navigation", navigation);
-}
-
-QString MainWindow::folder() const {
-    if (m_document.path().empty()) return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    return QString::fromStdString(m_document.path().parent_path().string());
-}
-
-void MainWindow::newProject() {
-    if (mayDiscard()) m_document.replace({}, {}, {});
-}
-
-QStringList MainWindow::chooseFiles(const QString& title, const QString& filter) {
-    QSettings settings;
-    const QString folder = settings.value("folder/" + title).toString();
-    const QStringList paths = QFileDialog::getOpenFileNames(this, title, folder, filter);
-    if (!paths.isEmpty()) settings.setValue("folder/" + title, QFileInfo(paths.front()).path());
-    return paths;
-}
-
-void MainWindow::openByDialog(const QString& title, const QString& filter) {
-    if (const QStringList paths = chooseFiles(title, filter); !paths.isEmpty()) open(paths);
-}
-
-void MainWindow::addMeshByDialog() {
-    m_opener.add(chooseFiles(tr("Add Mesh"), tr(meshFilter)));
-}
-
-bool MainWindow::save() {
-    if (m_document.path().empty()) return saveAs();
-    return saveTo(QString::fromStdString(m_document.path().string()));
-}
-
-bool MainWindow::saveAs() {
-    const QString suggestion = folder() + "/" + m_document.name() + ".chiaro";
-    QString path = QFileDialog::getSaveFileName(this, tr("Save Project"), suggestion, tr(projectFilter));
-    if (path.isEmpty()) return false;
-    if (!path.endsWith(".chiaro")) path += ".chiaro";
-    return saveTo(path);
-}
-
-bool MainWindow::saveTo(const QString& path) {
-    try {
-        m_document.save(std::filesystem::absolute(path.toStdString()));
-    } catch (const std::exception& problem) {
-        showError(QString::fromStdString(problem.what()));
-        return false;
-    }
-    m_recent->add(path);
-    return true;
-}
-
-bool MainWindow::mayDiscard() {
-    if (!m_document.isModified()) return true;
-    const auto answer = QMessageBox::question(
-        this, tr("Unsaved Changes"), tr("%1 has changes that are not saved.").arg(m_document.name()),
-        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-    return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }
 
 void MainWindow::showError(const QString& message) {
@@ -444,7 +275,7 @@ bool MainWindow::keepWorkSafe() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!mayDiscard()) return event->ignore();
+    if (!m_files->mayDiscard()) return event->ignore();
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());
     settings.setValue("window/state", saveState(layoutVersion));

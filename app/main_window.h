@@ -24,12 +24,11 @@ namespace chiaro::app {
 
 class Exporter;
 class GradientDock;
-class HistoryDock;
 class JobsDock;
 class MethodSwitch;
 class MetricTools;
 class ParametersDock;
-class RecentFiles;
+class ProjectFiles;
 class Safekeeping;
 class SampleDock;
 class SceneDock;
@@ -72,9 +71,6 @@ public:
     QString frameText() const;  ///< in the status bar: the method and its frame time
 
 public Q_SLOTS:
-    /// False when the artist changed their mind or the disk refused.
-    bool save();
-    bool saveAs();
     void showError(const QString& message);
     void showNote(const QString& message);
 
@@ -96,26 +92,8 @@ private:
     void makeToolBar();
     void makeStatusBar();
     void makeMenus();
-    void makeFileMenu();
-    void makeViewMenu();
-    void makeSampleMenu();
-    void makeSceneMenu();
-    void makeRenderMenu();
-    void makeHelpMenu();
     void connectParts();
-    QAction* addAction(QMenu& menu, const char* icon, const QString& text, const QKeySequence& keys,
-                       const std::function<void()>& triggered);
-
-    /// Where the artist's files go: beside the project, or to their documents.
-    QString folder() const;
-    void newProject();
-    void openByDialog(const QString& title, const QString& filter);
-    void addMeshByDialog();
-    QStringList chooseFiles(const QString& title, const QString& filter);
-    bool saveTo(const QString& path);
-    bool mayDiscard();
     void showTitle();
-    void setNavigation(int navigation);
 
     // What the window shows, in the order that it depends on each other.
     Document m_document;
@@ -140,10 +118,9 @@ private:
     ViewPlanningDock* m_viewsDock = nullptr;
     TimelineDock* m_timelineDock = nullptr;
     JobsDock* m_jobsDock = nullptr;
-    HistoryDock* m_historyDock = nullptr;
     ViewOverlays* m_viewOverlays = nullptr;
+    ProjectFiles* m_files = nullptr;
     Exporter* m_exporter = nullptr;
-    RecentFiles* m_recent = nullptr;
     Safekeeping* m_safekeeping = nullptr;
     QLabel* m_frameTime = nullptr;
     QByteArray m_standardState;
