@@ -35,8 +35,15 @@ bool SceneModel::isVisible(int row) const {
                         : project.objects[std::size_t(objectAt(row))].visible;
 }
 
+bool SceneModel::isThere(int row) const {
+    const project::Project& project = m_document.project();
+    return isLight(row) ? lightAt(row) < int(project.lights.size())
+                        : objectAt(row) < int(project.objects.size());
+}
+
 QVariant SceneModel::data(const QModelIndex& index, int role) const {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+    // Amid a change the document may have fewer already than the views know of.
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid) || !isThere(index.row())) return {};
     const int row = index.row();
     if (index.column() == Eye) {
         if (role == Qt::DecorationRole) return widgets::icon(isVisible(row) ? "eye" : "eye-off");

@@ -39,6 +39,8 @@ public:
 
 private:
     void applyChange(Change change);
+    /// False for what the document has no more though the views were not told yet.
+    bool isThere(int row) const;
     void rename(int row, const QString& name);
 
     Document& m_document;
