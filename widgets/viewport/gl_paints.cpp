@@ -8,20 +8,6 @@ namespace chiaro::widgets {
 
 namespace {
 
-void uploadLevels(Gl& gl, GlPaints::Paint& paint, const LevelTexels& texels) {
-    if (paint.levels == 0) gl.glGenTextures(1, &paint.levels);
-    paint.size = texels.size;
-    paint.levelRange = QVector2D(texels.range.factor, texels.range.bias);
-    gl.glBindTexture(GL_TEXTURE_3D, paint.levels);
-    gl.glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, texels.size, texels.size, texels.count, 0, GL_RGBA,
-                    GL_UNSIGNED_BYTE, texels.texels.data());
-    gl.glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-    gl.glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_T, GL_REPEAT);
-    gl.glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
-}
-
 /// Half floats: a gradient of thousands of colours has steps far below 1/255.
 void uploadGradient(Gl& gl, GLuint texture, const gradient::Gradient& gradient) {
     gl.glBindTexture(GL_TEXTURE_1D, texture);
@@ -30,11 +16,6 @@ void uploadGradient(Gl& gl, GLuint texture, const gradient::Gradient& gradient) 
     gl.glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     gl.glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-}
-
-void free(Gl& gl, const GlPaints::Paint& paint) {
-    gl.glDeleteTextures(1, &paint.levels);
-    gl.glDeleteTextures(1, &paint.gradient);
 }
 
 }  // namespace
@@ -52,44 +33,81 @@ void GlPaints::startLevels(Gl& gl, Entry& entry, const std::shared_ptr<const syn
     const bool isNew = entry.paint.levels == 0;
     if (!isNew && entry.levels == levels) return;
     entry.levels = levels;
-    entry.texels = {};
+    drop(gl, entry);
     const bool textured = levels && !levels->levels.empty();
-    // Without levels a single texel of no difference stands in.
-    if (isNew || !textured) uploadLevels(gl, entry.paint, {1, 1, {}, {DifferenceTexel{}}});
+    if (isNew || !textured) {
+        // Without levels a single texel of no difference stands in.
+        const LevelTexels none{1, 1, {}, {DifferenceTexel{}}};
+        TextureUpload upload(none.texels.data(), glm::ivec3(1));
+        upload.goOn(gl, QDeadlineTimer(QDeadlineTimer::Forever));
+        showLevels(gl, entry, none, upload.take());
+    }
     if (!textured) return;
     entry.texels =
         QtConcurrent::run([levels] { return std::make_shared<const LevelTexels>(levelTexels(*levels)); });
 }
 
-bool GlPaints::finishLevels(Gl& gl, Entry& entry, Pending pending) {
+bool GlPaints::finishLevels(Gl& gl, Entry& entry, Pending pending, QDeadlineTimer deadline) {
     if (!entry.texels.isValid()) return true;
     if (pending == Pending::Show && !entry.texels.isFinished()) return false;
-    uploadLevels(gl, entry.paint, *entry.texels.result());
-    entry.texels = {};
+    const std::shared_ptr<const LevelTexels> texels = entry.texels.result();
+    if (!entry.upload)
+        entry.upload.emplace(texels->texels.data(), glm::ivec3(texels->size, texels->size, texels->count));
+    if (pending == Pending::Await) deadline = QDeadlineTimer(QDeadlineTimer::Forever);
+    if (!entry.upload->goOn(gl, deadline)) return false;
+    showLevels(gl, entry, *texels, entry.upload->take());
+    drop(gl, entry);
     return true;
+}
+
+/// The texture is one that an upload finished, and bound.
+void GlPaints::showLevels(Gl& gl, Entry& entry, const LevelTexels& texels, GLuint texture) {
+    gl.glDeleteTextures(1, &entry.paint.levels);
+    entry.paint.levels = texture;
+    entry.paint.size = texels.size;
+    entry.paint.levelRange = QVector2D(texels.range.factor, texels.range.bias);
+    gl.glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    gl.glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+}
+
+/// What is on its way.
+void GlPaints::drop(Gl& gl, Entry& entry) {
+    if (entry.upload) entry.upload->cancel(gl);
+    entry.upload.reset();
+    entry.texels = {};
+}
+
+void GlPaints::free(Gl& gl, Entry& entry) {
+    drop(gl, entry);
+    gl.glDeleteTextures(1, &entry.paint.levels);
+    gl.glDeleteTextures(1, &entry.paint.gradient);
 }
 
 bool GlPaints::sync(Gl& gl, const ViewState& state, bool usesLevels, Pending pending) {
     std::set<int> worn;
     for (const scene::Object& object : state.scene().objects) worn.insert(object.sample);
-    std::erase_if(m_entries, [&](const auto& entry) {
-        if (worn.contains(entry.first)) return false;
-        free(gl, entry.second.paint);
-        return true;
-    });
+    for (auto entry = m_entries.begin(); entry != m_entries.end();) {
+        if (worn.contains(entry->first)) {
+            ++entry;
+            continue;
+        }
+        free(gl, entry->second);
+        entry = m_entries.erase(entry);
+    }
     bool complete = true;
+    const QDeadlineTimer deadline(TextureUpload::frameMilliseconds);
     for (const int sample : worn) {
         Entry& entry = m_entries[sample];
         syncGradient(gl, entry, state.paint(sample).gradient);
         if (!usesLevels) continue;
         startLevels(gl, entry, state.paint(sample).levels);
-        complete &= finishLevels(gl, entry, pending);
+        complete &= finishLevels(gl, entry, pending, deadline);
     }
     return complete;
 }
 
 void GlPaints::release(Gl& gl) {
-    for (const auto& [sample, entry] : m_entries) free(gl, entry.paint);
+    for (auto& [sample, entry] : m_entries) free(gl, entry);
     m_entries.clear();
 }
 

@@ -2,17 +2,20 @@
 
 #include "widgets/viewport/gl_support.h"
 #include "widgets/viewport/level_texels.h"
+#include "widgets/viewport/texture_upload.h"
 #include "widgets/viewport/view_state.h"
 
 #include <QFuture>
 
 #include <map>
+#include <optional>
 
 namespace chiaro::widgets {
 
 /// The paints that a scene's objects wear, as textures: uploaded when they are others than in the last frame;
-/// a new gradient alone costs its W texels. Levels are made into texels by another thread, so that a large
-/// stack does not hold up the window. Every call needs the context current.
+/// a new gradient alone costs its W texels. Levels are made into texels by another thread and uploaded over
+/// as many frames as that takes, so that a large stack does not hold up the window. Every call needs the
+/// context current.
 class GlPaints {
 public:
     struct Paint {
@@ -41,12 +44,16 @@ private:
         Paint paint;
         std::shared_ptr<const synthesis::LevelStack> levels;  ///< as uploaded, or on their way
         QFuture<std::shared_ptr<const LevelTexels>> texels;   ///< valid while they are
+        std::optional<TextureUpload> upload;                  ///< of those, once they are made
         gradient::Gradient gradient;                          ///< as uploaded
     };
 
     static void syncGradient(Gl& gl, Entry& entry, const gradient::Gradient& gradient);
     static void startLevels(Gl& gl, Entry& entry, const std::shared_ptr<const synthesis::LevelStack>& levels);
-    static bool finishLevels(Gl& gl, Entry& entry, Pending pending);
+    static bool finishLevels(Gl& gl, Entry& entry, Pending pending, QDeadlineTimer deadline);
+    static void showLevels(Gl& gl, Entry& entry, const LevelTexels& texels, GLuint texture);
+    static void drop(Gl& gl, Entry& entry);
+    static void free(Gl& gl, Entry& entry);
 
     std::map<int, Entry> m_entries;
 };

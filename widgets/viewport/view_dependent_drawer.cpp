@@ -21,27 +21,6 @@ constexpr int texelUnit = MethodDrawer::FirstOwnUnit;
 constexpr double reachPixels = 2;
 constexpr double reachTexels = methods::ViewMap::margin - 1;
 
-template <class T>
-void fillBuffer(Gl& gl, GLuint buffer, GLuint texture, GLenum format, const std::vector<T>& values) {
-    gl.glBindBuffer(GL_TEXTURE_BUFFER, buffer);
-    gl.glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
-    gl.glBindTexture(GL_TEXTURE_BUFFER, texture);
-    gl.glTexBuffer(GL_TEXTURE_BUFFER, format, buffer);
-}
-
-GLuint uploadedTexels(Gl& gl, const ObjectTexels& texels) {
-    GLuint texture = 0;
-    gl.glGenTextures(1, &texture);
-    gl.glBindTexture(GL_TEXTURE_3D, texture);
-    gl.glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, texels.layout.size.x, texels.layout.size.y,
-                    texels.layout.size.z, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.texels.data());
-    gl.glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-        gl.glTexParameteri(GL_TEXTURE_3D, axis, GL_CLAMP_TO_EDGE);
-    return texture;
-}
-
 }  // namespace
 
 bool ViewDependentDrawer::initialize(Gl& gl, int samples) {
@@ -52,7 +31,7 @@ bool ViewDependentDrawer::initialize(Gl& gl, int samples) {
 
 void ViewDependentDrawer::release(Gl& gl) {
     m_programs.clear();
-    for (const auto& [key, entry] : m_entries) free(gl, entry.uploaded);
+    for (auto& [key, entry] : m_entries) free(gl, entry);
     m_entries.clear();
 }
 
@@ -77,69 +56,66 @@ QOpenGLShaderProgram* ViewDependentDrawer::programFor(const Variant& variant) {
     program.bind();
     program.setUniformValue("texels", texelUnit);
     static constexpr std::array names{"corners", "faceViews", "weights", "views"};
-    for (int i = 0; i < BufferTextureCount; ++i)
+    for (int i = 0; i < UploadedObject::BufferTextureCount; ++i)
         program.setUniformValue(names[std::size_t(i)], firstBufferUnit + i);
     program.release();
     return &program;
 }
 
-ViewDependentDrawer::Uploaded ViewDependentDrawer::upload(Gl& gl, const ObjectTexels& texels) {
-    Uploaded made;
-    made.layout = texels.layout;
-    if (texels.layout.levelCount == 0) return made;
-    made.bytes = texels.textureBytes();
-    made.texels = uploadedTexels(gl, texels);
-    gl.glGenBuffers(BufferTextureCount, made.buffers.data());
-    gl.glGenTextures(BufferTextureCount, made.textures.data());
-    const auto fill = [&](BufferTexture which, GLenum format, const auto& values) {
-        fillBuffer(gl, made.buffers[which], made.textures[which], format, values);
-    };
-    fill(Corners, GL_RGB32F, texels.corners);
-    fill(FaceViews, GL_RG32UI, texels.faceViews);
-    fill(Weights, GL_RGBA16UI, texels.weights);
-    fill(Views, GL_RGBA32F, texels.views);
-    return made;
+void ViewDependentDrawer::free(Gl& gl, Entry& entry) {
+    if (entry.upload) entry.upload->cancel(gl);
+    entry.uploaded.free(gl);
 }
 
-void ViewDependentDrawer::free(Gl& gl, const Uploaded& uploaded) {
-    gl.glDeleteTextures(1, &uploaded.texels);
-    gl.glDeleteTextures(BufferTextureCount, uploaded.textures.data());
-    gl.glDeleteBuffers(BufferTextureCount, uploaded.buffers.data());
-}
-
-bool ViewDependentDrawer::finish(Gl& gl, Entry& entry, GlPaints::Pending pending) const {
-    if (!entry.awaited) return true;
-    if (pending == GlPaints::Pending::Show && !entry.texels.isFinished()) return false;
-    free(gl, entry.uploaded);
-    entry.uploaded = upload(gl, *entry.texels.result());
-    entry.shown = std::exchange(entry.awaited, nullptr);
+/// Drops what is on its way, and begins with the texels of this; null: with nothing.
+void ViewDependentDrawer::await(Gl& gl, Entry& entry, const Painted& painted) const {
+    if (entry.awaited == painted) return;
+    if (entry.upload) entry.upload->cancel(gl);
+    entry.upload.reset();
+    entry.awaited = painted;
     entry.texels = {};
+    if (!painted) return;
+    entry.texels = QtConcurrent::run([painted, side = m_largestSide] {
+        return std::make_shared<const ObjectTexels>(objectTexels(*painted, side));
+    });
+}
+
+bool ViewDependentDrawer::finish(Gl& gl, Entry& entry, GlPaints::Pending pending, QDeadlineTimer deadline) {
+    if (!entry.awaited) return true;
+    if (!entry.upload) {
+        if (pending == GlPaints::Pending::Show && !entry.texels.isFinished()) return false;
+        entry.upload.emplace(entry.texels.result());
+        entry.texels = {};
+    }
+    if (pending == GlPaints::Pending::Await) deadline = QDeadlineTimer(QDeadlineTimer::Forever);
+    if (!entry.upload->goOn(gl, deadline)) return false;
+    entry.uploaded.free(gl);
+    entry.uploaded = entry.upload->take();
+    entry.upload.reset();
+    entry.shown = std::exchange(entry.awaited, nullptr);
     return true;
 }
 
 bool ViewDependentDrawer::sync(Gl& gl, const ViewState& state, GlPaints::Pending pending) {
     std::set<std::pair<const scene::Mesh*, int>> worn;
     bool complete = true;
+    const QDeadlineTimer deadline(TextureUpload::frameMilliseconds);
     for (std::size_t i = 0; i < state.scene().objects.size(); ++i) {
         const scene::Object& object = state.scene().objects[i];
         const Painted painted = state.paintedObject(i);
         if (!isDrawn(object) || !painted || !worn.insert({object.mesh.get(), object.sample}).second) continue;
         Entry& entry = m_entries[{object.mesh.get(), object.sample}];
-        if (entry.shown == painted) {
-            entry.awaited = nullptr;
-        } else if (entry.awaited != painted) {
-            entry.awaited = painted;
-            entry.texels = QtConcurrent::run([painted, side = m_largestSide] {
-                return std::make_shared<const ObjectTexels>(objectTexels(*painted, side));
-            });
-        }
-        complete &= finish(gl, entry, pending);
+        await(gl, entry, entry.shown == painted ? nullptr : painted);
+        complete &= finish(gl, entry, pending, deadline);
     }
-    std::erase_if(m_entries, [&](const auto& entry) {
-        if (worn.contains(entry.first)) return false;
-        free(gl, entry.second.uploaded);
-        return true;
-    });
+    for (auto entry = m_entries.begin(); entry != m_entries.end();) {
+        if (worn.contains(entry->first)) {
+            ++entry;
+            continue;
+        }
+        free(gl, entry->second);
+        entry = m_entries.erase(entry);
+    }
     return complete;
 }
 
@@ -183,7 +159,7 @@ QOpenGLShaderProgram* ViewDependentDrawer::bind(Gl& gl, std::size_t pass, const 
     if (!placed.uploaded) return program;
     gl.glActiveTexture(GL_TEXTURE0 + texelUnit);
     gl.glBindTexture(GL_TEXTURE_3D, placed.uploaded->texels);
-    for (int i = 0; i < BufferTextureCount; ++i) {
+    for (int i = 0; i < UploadedObject::BufferTextureCount; ++i) {
         gl.glActiveTexture(GLenum(GL_TEXTURE0 + firstBufferUnit + i));
         gl.glBindTexture(GL_TEXTURE_BUFFER, placed.uploaded->textures[std::size_t(i)]);
     }

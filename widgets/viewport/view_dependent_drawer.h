@@ -1,17 +1,18 @@
 #pragma once
 
 #include "widgets/viewport/method_drawer.h"
-#include "widgets/viewport/object_texels.h"
+#include "widgets/viewport/object_upload.h"
 
 #include <QFuture>
 
 #include <map>
+#include <optional>
 
 namespace chiaro::widgets {
 
 /// Shades with the textures of the objects' own views (§4.3): a pass an object. An object's textures become
-/// texels on another thread, and are uploaded when they are others than in the last frame; until then what it
-/// had is shown, if it is of the same mesh.
+/// texels on another thread, and are uploaded over as many frames as that takes; until then what it had is
+/// shown, if it is of the same mesh.
 class ViewDependentDrawer : public MethodDrawer {
 public:
     bool initialize(Gl& gl, int samples) override;
@@ -27,21 +28,12 @@ public:
 
 private:
     using Painted = std::shared_ptr<const methods::PaintedObject>;
-    enum BufferTexture { Corners, FaceViews, Weights, Views, BufferTextureCount };
-
-    /// An object's textures in the graphics memory.
-    struct Uploaded {
-        GLuint texels = 0;
-        std::array<GLuint, BufferTextureCount> buffers{};
-        std::array<GLuint, BufferTextureCount> textures{};
-        ObjectTexels::Layout layout;
-        std::size_t bytes = 0;
-    };
     struct Entry {
         Painted shown;  ///< null: none was uploaded
-        Uploaded uploaded;
+        UploadedObject uploaded;
         Painted awaited;                                      ///< whose texels are on their way
-        QFuture<std::shared_ptr<const ObjectTexels>> texels;  ///< of those
+        QFuture<std::shared_ptr<const ObjectTexels>> texels;  ///< of those, while they are made
+        std::optional<ObjectUpload> upload;                   ///< and once they are
     };
     /// What the shader is compiled for.
     struct Variant {
@@ -55,15 +47,15 @@ private:
     /// One object for the shader.
     struct Placed {
         Variant variant;
-        const Uploaded* uploaded = nullptr;
+        const UploadedObject* uploaded = nullptr;
         QMatrix4x4 objectToClip;
         QVector2D reach;
         QVector3D eye;
     };
 
-    bool finish(Gl& gl, Entry& entry, GlPaints::Pending pending) const;
-    static Uploaded upload(Gl& gl, const ObjectTexels& texels);
-    static void free(Gl& gl, const Uploaded& uploaded);
+    void await(Gl& gl, Entry& entry, const Painted& painted) const;
+    static bool finish(Gl& gl, Entry& entry, GlPaints::Pending pending, QDeadlineTimer deadline);
+    static void free(Gl& gl, Entry& entry);
     QOpenGLShaderProgram* programFor(const Variant& variant);
 
     int m_samples = 0;
