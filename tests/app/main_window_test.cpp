@@ -10,6 +10,7 @@
 #include "core/base/atomic_file.h"
 #include "core/project/pipeline.h"
 #include "tests/app/app_support.h"
+#include "tests/app/window_support.h"
 #include "widgets/color_path_bar.h"
 #include "widgets/color_path_view.h"
 #include "widgets/message_bar.h"
@@ -22,16 +23,9 @@
 
 using namespace chiaro;
 using app::MainWindow;
+using test::openAndSettle;
 
 namespace {
-
-/// Opens files and waits until all is made and shown.
-bool openAndSettle(MainWindow& window, const std::vector<std::filesystem::path>& paths) {
-    QStringList names;
-    for (const auto& path : paths) names << QString::fromStdString(path.string());
-    window.open(names);
-    return QTest::qWaitFor([&] { return window.jobs().isIdle(); }, 120'000);
-}
 
 /// In steps of 1/255; the pictures are equally large.
 double meanDifference(const QImage& a, const QImage& b) {
@@ -65,13 +59,7 @@ class MainWindowTest : public QObject {
     }
 
 private Q_SLOTS:
-    void initTestCase() {
-        Q_INIT_RESOURCE(resources);
-        QCoreApplication::setOrganizationName("ChiaroTests");
-        QStandardPaths::setTestModeEnabled(true);
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
-                           QString::fromStdString(m_folder.path().string()));
-    }
+    void initTestCase() { test::prepareWindows(m_folder); }
 
     void draggingAStopRecoloursTheViewportWithoutSynthesis() {
         MainWindow window;
@@ -96,6 +84,53 @@ private Q_SLOTS:
         QVERIFY2(red > blue + 40, qPrintable(QString("red %1, blue %2").arg(red).arg(blue)));
         QVERIFY(window.jobs().isIdle());
         QCOMPARE(window.paints().synthesisCount(), made);
+    }
+
+    void aDraggedStopIsInTheNextFrame_data() {
+        QTest::addColumn<QString>("method");
+        for (const char* method : {"image-based", "view-aligned", "view-dependent"})
+            QTest::newRow(method) << method;
+    }
+
+    void aDraggedStopIsInTheNextFrame() {
+        QFETCH(QString, method);
+        MainWindow window;
+        window.resize(1200, 700);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        window.metrics().heatMaps().liveAction()->setChecked(false);
+        QVERIFY(openAndSettle(window, stripAndMesh()));
+        window.document().editMethod(method.toStdString());
+        window.viewport().frameAll();
+        QVERIFY(test::settle(window));
+        widgets::ColorPathView& colors = *window.gradientDock().colorView();
+        colors.findChild<QToolButton*>("preset-3")->click();
+        widgets::ColorPathBar& bar = *colors.bar();
+        QVERIFY(bar.path().stops.size() > 2);
+        const auto begun = [&] {
+            return window.paints().synthesisCount() + window.frameTextures().synthesisCount() +
+                   window.objectTextures().synthesisCount() + window.viewPlans().planCount();
+        };
+        const int before = begun();
+        QImage shown = window.viewport().picture();
+        const QPoint grip = bar.handle(1).toPoint();
+        QTest::mousePress(&bar, Qt::LeftButton, {}, grip);
+        for (int step = 1; step <= 5; ++step) {
+            const float position = bar.path().stops[1].position;
+            const QPoint at = grip + QPoint(8 * step, 0);
+            QMouseEvent move(QEvent::MouseMove, at, bar.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+            QApplication::sendEvent(&bar, &move);
+            QVERIFY(bar.path().stops[1].position > position);
+            const QImage next = window.viewport().picture();
+            QVERIFY2(meanDifference(shown, next) > 0.05, "the next frame shows the stop where it was");
+            QVERIFY2(window.jobs().isIdle(), "a drag of colours starts a job");
+            shown = next;
+        }
+        QTest::mouseRelease(&bar, Qt::LeftButton, {}, grip + QPoint(40, 0));
+        QTest::qWait(500);  // longer than what waits for a drag to rest
+        QVERIFY(window.jobs().isIdle());
+        QCOMPARE(begun(), before);
+        window.metrics().heatMaps().liveAction()->setChecked(true);
     }
 
     void methodsAreSwitchedByKeyAndButton() {
