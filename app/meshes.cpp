@@ -36,7 +36,10 @@ LoadedModel LoadedModel::read(const std::filesystem::path& path, const Task& tas
     }
     loaded.warnings = std::move(model.warnings);
     scene::BoundsBuilder bounds;
-    for (const auto& mesh : loaded.meshes) bounds.addMesh(*mesh, glm::mat4(1));
+    for (const auto& mesh : loaded.meshes) {
+        task.checkpoint();
+        bounds.addMesh(*mesh, glm::mat4(1));
+    }
     loaded.radius = bounds.bounds().radius;
     return loaded;
 }

@@ -64,6 +64,8 @@ public:
         double seconds = 0;
     };
     bool isIdle() const { return m_jobs.empty(); }
+    /// Threads that are at work, those included whose job was cancelled and that have yet to notice.
+    int threadsAtWork() const { return m_pool.activeThreadCount(); }
     bool isRunning(const QString& slot) const;
 
     /// Drops whatever runs in a slot, silently.

@@ -1,5 +1,7 @@
 #include "core/scene/mesh_edges.h"
 
+#include "core/scene/mesh_tasks.h"
+
 #include <tbb/parallel_sort.h>
 
 namespace chiaro::scene {
@@ -21,6 +23,10 @@ std::vector<Edge> sortedEdges(const Mesh& mesh, const std::vector<std::uint32_t>
 }
 
 Topology topologyOf(const Mesh& mesh) {
+    return topologyOf(mesh, {});
+}
+
+Topology topologyOf(const Mesh& mesh, const Task& task) {
     Topology topology;
     for (const Triangle& triangle : mesh.triangles) {
         const glm::dvec3 a(mesh.positions[triangle[0]]);
@@ -28,7 +34,10 @@ Topology topologyOf(const Mesh& mesh) {
                                              glm::dvec3(mesh.positions[triangle[2]]) - a);
         if (normal == glm::dvec3(0)) ++topology.degenerateFaces;
     }
-    forEachEdge(sortedEdges(mesh, weldedIndices(mesh)), [&](std::span<const Edge> faces) {
+    task.checkpoint();
+    const std::vector<Edge> edges = sortedEdges(mesh, weldedIndices(mesh));
+    task.checkpoint();
+    forEachEdge(edges, [&](std::span<const Edge> faces) {
         if (faces.size() == 1) ++topology.boundaryEdges;
         if (faces.size() > 2) ++topology.nonManifoldEdges;
     });

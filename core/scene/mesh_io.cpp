@@ -2,6 +2,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/scene/mesh_readers.h"
+#include "core/scene/mesh_tasks.h"
 #include "core/scene/text_scanner.h"
 
 #include <unordered_map>
@@ -90,9 +91,9 @@ bool normalsMakeSense(const std::vector<Mesh>& meshes) {
 
 /// The file's normals are kept, at unit length, if they are to be trusted and where they have a direction;
 /// the others are computed. Tells how many of the file's were replaced.
-std::size_t completeNormals(Mesh& mesh, bool trusted) {
+std::size_t completeNormals(Mesh& mesh, bool trusted, const Task& task) {
     const bool given = mesh.normals.size() == mesh.positions.size();
-    std::vector<glm::vec3> computed = angleWeightedNormals(mesh);
+    std::vector<glm::vec3> computed = angleWeightedNormals(mesh, task);
     std::size_t replaced = 0;
     for (std::size_t i = 0; given && i < computed.size(); ++i) {
         const float length = glm::length(mesh.normals[i]);
@@ -162,17 +163,20 @@ Model readModel(const fs::path& path, const Task& task) {
     Model model;
     model.warnings = std::move(raw.warnings);
     std::size_t replacedNormals = 0;
+    task.checkpoint();
     const bool trusted = normalsMakeSense(raw.objects);
     for (Mesh& mesh : raw.objects) {
         task.checkpoint();
         checkPositions(source, mesh);
         if (raw.facetted)
-            mesh = splitAtCreases(mesh, creaseDegrees);
+            mesh = splitAtCreases(mesh, creaseDegrees, task);
         else
-            replacedNormals += completeNormals(mesh, trusted);
+            replacedNormals += completeNormals(mesh, trusted, task);
         task.report(0.6 + 0.3 * double(&mesh - raw.objects.data() + 1) / double(raw.objects.size()));
     }
-    const Topology topology = topologyOf(raw.objects.size() == 1 ? raw.objects[0] : merged(raw.objects));
+    task.checkpoint();
+    const Topology topology =
+        topologyOf(raw.objects.size() == 1 ? raw.objects[0] : merged(raw.objects), task);
     model.degenerateFaces = topology.degenerateFaces;
     if (model.degenerateFaces == raw.triangles)
         throw source.error("has no face with an area",

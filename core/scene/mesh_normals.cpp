@@ -3,6 +3,7 @@
 
 #include "core/scene/mesh.h"
 #include "core/scene/mesh_edges.h"
+#include "core/scene/mesh_tasks.h"
 
 #include <tbb/parallel_sort.h>
 
@@ -11,6 +12,8 @@
 namespace chiaro::scene {
 
 namespace {
+
+constexpr std::size_t checkedFaces = 65536;  ///< between two checkpoints
 
 /// A face's unit normal (zero without area) and its angles at the three corners. In double, so that very
 /// small and very large meshes neither underflow nor overflow.
@@ -87,13 +90,19 @@ std::uint32_t cornerAt(const Mesh& mesh, const std::vector<std::uint32_t>& welde
 }  // namespace
 
 std::vector<glm::vec3> angleWeightedNormals(const Mesh& mesh) {
+    return angleWeightedNormals(mesh, {});
+}
+
+std::vector<glm::vec3> angleWeightedNormals(const Mesh& mesh, const Task& task) {
     const std::vector<std::uint32_t> welded = weldedIndices(mesh);
+    task.checkpoint();
     const std::vector<std::uint8_t> repeated = repeatedFaces(mesh, welded);
     std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3(0));
     // Where the sum cancels (a sheet folded back, faces that disagree about the front), the first face
     // decides.
     std::vector<glm::vec3> first(mesh.positions.size(), glm::vec3(0));
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+        if (f % checkedFaces == 0) task.checkpoint();
         if (repeated[f]) continue;
         const FaceShape shape = shapeOf(mesh, mesh.triangles[f]);
         for (int k = 0; k < 3; ++k) {
@@ -111,10 +120,16 @@ std::vector<glm::vec3> angleWeightedNormals(const Mesh& mesh) {
 }
 
 Mesh splitAtCreases(const Mesh& mesh, float creaseDegrees) {
+    return splitAtCreases(mesh, creaseDegrees, {});
+}
+
+Mesh splitAtCreases(const Mesh& mesh, float creaseDegrees, const Task& task) {
     const std::vector<std::uint32_t> welded = weldedIndices(mesh);
+    task.checkpoint();
     std::vector<FaceShape> shapes;
     shapes.reserve(mesh.triangles.size());
     for (const Triangle& triangle : mesh.triangles) shapes.push_back(shapeOf(mesh, triangle));
+    task.checkpoint();
 
     // Corners (3 * face + 0..2) that share a vertex are one where a chain of smooth edges joins their faces.
     DisjointSets corners(std::uint32_t(mesh.triangles.size() * 3));
@@ -127,6 +142,7 @@ Mesh splitAtCreases(const Mesh& mesh, float creaseDegrees) {
                           cornerAt(mesh, welded, faces[1].face, vertex));
     });
 
+    task.checkpoint();
     Mesh result;
     result.name = mesh.name;
     result.triangles.resize(mesh.triangles.size());
