@@ -1,6 +1,7 @@
 #include "app/main_window.h"
 #include "app/screenshot.h"
 #include "app/theme.h"
+#include "core/base/memory_reserve.h"
 #include "core/base/resources.h"
 
 #include <QApplication>
@@ -22,6 +23,7 @@ QStringList demoProject() {
 }  // namespace
 
 int main(int argc, char** argv) {
+    chiaro::keepMemoryReserve();
     // Floating a dock makes a new OpenGL context, which finds the textures of the old one.
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication application(argc, argv);

@@ -2,6 +2,7 @@
 
 #include "app/cli/session.h"
 #include "core/base/error.h"
+#include "core/base/memory_reserve.h"
 
 #include <csignal>
 #include <cstdio>
@@ -58,6 +59,7 @@ std::string singleLine(std::string message) {
 }  // namespace
 
 int run(int argc, const char* const* argv) {
+    keepMemoryReserve();
     InterruptWatch interrupts;
     Session session(interrupts.token());
     CLI::App root("Shades 3D meshes with an artist's own paint.", "chiaro");

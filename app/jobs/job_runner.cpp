@@ -1,6 +1,7 @@
 #include "app/jobs/job_runner.h"
 
 #include "core/base/error.h"
+#include "core/base/memory_reserve.h"
 
 #include <QtWidgets>
 
@@ -63,6 +64,7 @@ void JobRunner::finish(int number, const std::function<void()>& done, const QStr
     if (found == m_jobs.end()) return;  // cancelled or superseded meanwhile
     const std::shared_ptr<Job> job = found->second;
     m_jobs.erase(found);
+    keepMemoryReserve();  // it may have been used up
     tellEnd(number, *job, error.isEmpty() ? Ending::Kind::Done : Ending::Kind::Failed, error);
     if (!error.isEmpty()) {
         if (job->spec.failed)

@@ -1,6 +1,7 @@
 #include "core/metrics/descriptor.h"
 
 #include "core/base/error.h"
+#include "core/base/opencv_memory.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -55,7 +56,9 @@ void count(Descriptor& descriptor, const BinImage& bins, int x, int top, int row
 
 }  // namespace
 
-ChannelImage channelImages(const ColorImage& picture) {
+namespace {
+
+ChannelImage filtered(const ColorImage& picture) {
     ChannelImage channels(picture.width(), picture.height());
     if (picture.empty()) return channels;
     std::array<cv::Mat, 5> images{stepsOf(picture)};
@@ -72,6 +75,12 @@ ChannelImage channelImages(const ColorImage& picture) {
             }
         }
     return channels;
+}
+
+}  // namespace
+
+ChannelImage channelImages(const ColorImage& picture) {
+    return withOpenCv([&] { return filtered(picture); });
 }
 
 Bins binsOf(const ColorImage& source) {

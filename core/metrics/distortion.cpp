@@ -1,6 +1,7 @@
 #include "core/metrics/distortion.h"
 
 #include "core/base/error.h"
+#include "core/base/opencv_memory.h"
 #include "core/base/random.h"
 #include "core/synthesis/quilting.h"
 
@@ -53,17 +54,21 @@ cv::Mat resizedAlong(const cv::Mat& image, double factorX, double factorY) {
 
 ColorImage rotated(const ColorImage& picture, double degrees) {
     const cv::Point2f centre(float(picture.width() - 1) / 2, float(picture.height() - 1) / 2);
-    cv::Mat result;
-    cv::warpAffine(viewOf(picture), result, cv::getRotationMatrix2D(centre, -degrees, 1),
-                   cv::Size(picture.width(), picture.height()), cv::INTER_LANCZOS4, cv::BORDER_REFLECT_101);
-    return clipped(result);
+    return withOpenCv([&] {
+        cv::Mat result;
+        cv::warpAffine(viewOf(picture), result, cv::getRotationMatrix2D(centre, -degrees, 1),
+                       cv::Size(picture.width(), picture.height()), cv::INTER_LANCZOS4,
+                       cv::BORDER_REFLECT_101);
+        return clipped(result);
+    });
 }
 
 ColorImage scaled(const ColorImage& picture, double factorX, double factorY) {
     for (const double factor : {factorX, factorY})
         if (!(factor >= 0.1 && factor <= 10))
             throw Error("scale", fmt::format("is {:g}", factor), "choose 0.1..10");
-    const cv::Mat image = resizedAlong(resizedAlong(viewOf(picture), factorX, 1), 1, factorY);
+    const cv::Mat image =
+        withOpenCv([&] { return resizedAlong(resizedAlong(viewOf(picture), factorX, 1), 1, factorY); });
     const int left = (image.cols - picture.width()) / 2, top = (image.rows - picture.height()) / 2;
     const ColorImage whole = clipped(image);
     ColorImage result(picture.width(), picture.height());

@@ -1,6 +1,7 @@
 #include "core/sample/crop.h"
 
 #include "core/base/error.h"
+#include "core/base/opencv_memory.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -71,7 +72,8 @@ ColorImage warped(const ColorImage& scan, const Crop& crop) {
         from[i] = {float(ends[i].x), float(ends[i].y)};
         to[i] = {float(crop.corners[i].x), float(crop.corners[i].y)};
     }
-    const cv::Matx33d map = cv::getPerspectiveTransform(from.data(), to.data());
+    const cv::Matx33d map =
+        withOpenCv([&]() -> cv::Matx33d { return cv::getPerspectiveTransform(from.data(), to.data()); });
     ColorImage result(crop.width, crop.height);
     cv::parallel_for_({0, crop.height}, [&](const cv::Range& rows) {
         for (int y = rows.start; y < rows.end; ++y) {

@@ -1,6 +1,7 @@
 #include "core/sample/strip.h"
 
 #include "core/base/error.h"
+#include "core/base/opencv_memory.h"
 #include "core/sample/crop.h"
 
 #include <opencv2/imgproc.hpp>
@@ -56,7 +57,7 @@ ColorImage resized(const ColorImage& image, int width, int height) {
                        const_cast<glm::vec3*>(image.pixels().data()));
     cv::Mat to(height, width, CV_32FC3, result.pixels().data());
     const bool shrinks = width <= image.width() && height <= image.height();
-    cv::resize(from, to, to.size(), 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LANCZOS4);
+    withOpenCv([&] { cv::resize(from, to, to.size(), 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LANCZOS4); });
     for (glm::vec3& pixel : result.pixels()) pixel = glm::clamp(pixel, 0.0f, 1.0f);
     return result;
 }

@@ -75,7 +75,8 @@ void attach(RayScene::Impl& rays, const Object& object, unsigned id) {
 
 }  // namespace
 
-RayScene::Impl::Impl(const Scene& source, const Task& task) {
+// What is made by then is released when memory fails in here: the other constructor is done.
+RayScene::Impl::Impl(const Scene& source, const Task& task) : Impl() {
     const Bounds bounds = boundsOf(source);
     center = glm::dvec3(bounds.center());
     if (bounds.radius > 0 && std::isfinite(bounds.radius)) unit = double(bounds.radius);
@@ -102,8 +103,8 @@ RayScene::Impl::Impl(const Scene& source, const Task& task) {
 }
 
 RayScene::Impl::~Impl() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
+    if (scene != nullptr) rtcReleaseScene(scene);
+    if (device != nullptr) rtcReleaseDevice(device);
 }
 
 RayScene::RayScene(const Scene& scene, const Task& task)

@@ -15,7 +15,8 @@ struct RayObject {
 };
 
 struct RayScene::Impl {
-    explicit Impl(const Scene& scene, const Task& task);
+    Impl() = default;
+    Impl(const Scene& scene, const Task& task);
     ~Impl();
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
