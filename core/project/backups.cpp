@@ -50,7 +50,10 @@ void keepBackup(const fs::path& file) {
     const fs::path fresh = backup(file, 0);
     fs::remove(fresh, error);
     fs::create_hard_link(file, fresh, error);
-    if (error && !fs::copy_file(file, fresh, fs::copy_options::overwrite_existing, error)) return;
+    if (error && !fs::copy_file(file, fresh, fs::copy_options::overwrite_existing, error)) {
+        fs::remove(fresh, error);  // a part of it may be there
+        return;
+    }
     for (int number = keptBackups - 1; number >= 1; --number)
         fs::rename(backup(file, number), backup(file, number + 1), error);
     fs::rename(fresh, backup(file, 1), error);
