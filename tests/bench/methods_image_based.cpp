@@ -7,14 +7,16 @@
 #include "core/scene/guide.h"
 #include "core/synthesis/search_kernels.h"
 #include "tests/bench/multiply_add_peak.h"
+#include "tests/bench/peak_memory.h"
 #include "tests/bench/synthesis_reference.h"
+#include "tests/bench/thread_counts.h"
 
 #include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <fstream>
 #include <numeric>
 
 namespace {
@@ -124,6 +126,7 @@ void frame(benchmark::State& state, const char* target, bool draft) {
     synthesis::kernels::onlyUseTarget(target);
     const scene::GBuffer gbuffer = ball(int(state.range(0)), int(state.range(1)));
     for (auto _ : state) render(gbuffer, paramsOf(draft));
+    state.counters["covered"] = coveredPixels(gbuffer);
     state.counters["pixels"] =
         benchmark::Counter(coveredPixels(gbuffer) * double(state.iterations()), benchmark::Counter::kIsRate);
     synthesis::kernels::onlyUseTarget(nullptr);
@@ -206,22 +209,44 @@ void multiplyAdds(benchmark::State& state, const char* target) {
     synthesis::kernels::onlyUseTarget(nullptr);
 }
 
-// The most memory that this process had since the last call, in bytes; 0 where the system doesn't tell.
-double peakMemory() {
-    double kilobytes = 0;
-    std::ifstream status("/proc/self/status");
-    for (std::string word; status >> word;)
-        if (word == "VmHWM:") status >> kilobytes;
-    std::ofstream("/proc/self/clear_refs") << 5;
-    return 1024 * kilobytes;
-}
-
 void memory(benchmark::State& state) {
     const scene::GBuffer gbuffer = ball(4096, 4096);
-    peakMemory();
+    bench::takePeakMemory();
     for (auto _ : state) render(gbuffer, paramsOf(false));
-    state.counters["peak"] =
-        benchmark::Counter(peakMemory(), benchmark::Counter::kDefaults, benchmark::Counter::kIs1024);
+    bench::tellPeakMemory(state);
+}
+
+// A frame of 512 x 512 by the size of the strip: a block's window stays as wide, and takes all rows.
+void stripSize(benchmark::State& state) {
+    const bench::GeneratedPaint paint = bench::generatePaint(int(state.range(0)), int(state.range(1)));
+    ColorImage difference = paint.strip;
+    for (int y = 0; y < difference.height(); ++y)
+        for (int x = 0; x < difference.width(); ++x) difference(x, y) -= paint.gradient[std::size_t(x)];
+    const synthesis::SearchTexture prepared(difference);
+    const scene::GBuffer gbuffer = ball(512, 512);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            methods::synthesizeImageBased(gbuffer, {{&difference, &prepared}}, paramsOf(false)));
+}
+
+void threads(benchmark::State& state) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                      std::size_t(state.range(0)));
+    const scene::GBuffer gbuffer = ball(1024, 1024);
+    for (auto _ : state) render(gbuffer, paramsOf(false));
+}
+
+// Light or colour moves: the texture that is there is shaded anew. Bytes are those of the view, the texture
+// and the picture, each once.
+void shade(benchmark::State& state) {
+    const scene::GBuffer gbuffer = ball(1920, 1080);
+    const gradient::Gradient gradient{{0.1f, 0.1f, 0.2f}, {1, 0.9f, 0.8f}};
+    const auto made = methods::synthesizeImageBased(gbuffer, {sample()}, paramsOf(false));
+    for (auto _ : state) benchmark::DoNotOptimize(methods::shadeImageBased(gbuffer, {&gradient}, made));
+    const std::size_t bytes = gbuffer.light.pixels().size_bytes() + gbuffer.objectId.pixels().size_bytes() +
+                              made.objects[0].pixels.pixels().size_bytes() +
+                              gbuffer.light.pixels().size() * sizeof(glm::vec3);
+    state.SetBytesProcessed(state.iterations() * std::int64_t(bytes));
 }
 
 const bool registered = [] {
@@ -249,6 +274,16 @@ const bool registered = [] {
         add("multiplyAdds", target, multiplyAdds, target)->UseManualTime()->Iterations(1);
     }
     add("memory", "4096", memory)->UseRealTime()->Iterations(1);
+    const auto strips = add("stripSize", "best", stripSize)->UseRealTime()->MeasureProcessCPUTime();
+    strips->ArgNames({"width", "height"});
+    for (const int width : {200, 400, 800, 1600}) strips->Args({width, 200});
+    for (const int height : {100, 400}) strips->Args({800, height});
+    add("threads", "best", threads)
+        ->Apply(bench::threadCounts)
+        ->ArgName("threads")
+        ->UseRealTime()
+        ->MeasureProcessCPUTime();
+    add("shade", "best", shade)->UseRealTime()->MeasureProcessCPUTime();
     return true;
 }();
 

@@ -1,14 +1,14 @@
 // The demo skull, view-dependent in the demo oil, to a GLB with an atlas of 2048 texels, its textures made
-// before; and a ball of half a million faces all told. `MB` is the most memory that the process had so far.
+// before; and a ball of half a million faces all told. `memory` is the most that the process had meanwhile.
 
 #include "core/base/resources.h"
 #include "core/project/mesh_export.h"
 #include "core/scene/mesh_io.h"
+#include "tests/bench/peak_memory.h"
 #include "tests/core/scene/shapes.h"
 #include "tests/support/support.h"
 
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
 namespace {
 
@@ -34,12 +34,6 @@ struct Stage {
     project::WornPaints worn() const { return project::wornPaints(project, scene, paints); }
 };
 
-void tellMemory(benchmark::State& state) {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    state.counters["MB"] = double(usage.ru_maxrss) / 1024;
-}
-
 void writeMesh(const Stage& stage, const project::WornPaints& worn) {
     const test::TemporaryFolder folder;
     const project::ExportedMesh mesh =
@@ -50,15 +44,17 @@ void writeMesh(const Stage& stage, const project::WornPaints& worn) {
 void skullAfterSynthesis(benchmark::State& state) {
     static const Stage stage(scene::readModel(resourceFolder() / "demo/meshes/skull.glb").meshes);
     static const project::WornPaints worn = stage.worn();
+    bench::takePeakMemory();
     for (auto _ : state) writeMesh(stage, worn);
-    tellMemory(state);
+    bench::tellPeakMemory(state);
 }
 
 void halfAMillionFaces(benchmark::State& state) {
     static const Stage stage({test::ball(708, 355)});
+    bench::takePeakMemory();
     for (auto _ : state) writeMesh(stage, stage.worn());
     state.counters["faces"] = double(stage.scene.objects[0].mesh->triangles.size());
-    tellMemory(state);
+    bench::tellPeakMemory(state);
 }
 
 BENCHMARK(skullAfterSynthesis)->Unit(benchmark::kSecond)->UseRealTime()->MeasureProcessCPUTime();

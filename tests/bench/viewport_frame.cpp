@@ -1,6 +1,6 @@
 // Frame time of the viewport's drawer against the same mesh under one plain 2D texture: same context, 1280 x
-// 720 with as many samples a pixel, resolved; frames interleaved, the smallest time of each. Prints the
-// ratios. A mesh file may be given.
+// 720 with as many samples a pixel, resolved; frames interleaved, the smallest time of each. `ratio` is the
+// one by the other on the clock, `processor_ratio` in processor time. A mesh file may be given.
 
 #include "core/base/random.h"
 #include "core/methods/view_map.h"
@@ -8,6 +8,8 @@
 #include "tests/support/support.h"
 #include "widgets/viewport/frame_drawer.h"
 #include "widgets/viewport/object_texels.h"
+
+#include <benchmark/benchmark.h>
 
 #include <QGuiApplication>
 #include <QOffscreenSurface>
@@ -190,7 +192,7 @@ struct Bench {
     }
 
     /// While the camera orbits, after it was moved closer by `zoom`.
-    void measure(float zoom, const char* what) {
+    void measure(benchmark::State& counters, float zoom) {
         state.follow(frameSize);
         state.camera.distance /= zoom;
         FrameTime plainBest;
@@ -200,14 +202,55 @@ struct Bench {
             measureFrame(gl, plainBest, [this] { drawPlain(); });
             measureFrame(gl, paintedBest, [this] { drawPainted(); });
         }
-        std::printf("%-28s plain %6.2f ms, painted %6.2f ms, ratio %.2f; processor time %.2f\n", what,
-                    plainBest.wall, paintedBest.wall, paintedBest.wall / plainBest.wall,
-                    paintedBest.processor / plainBest.processor);
+        counters.SetIterationTime(paintedBest.wall / 1e3);
+        counters.counters["plain_ms"] = plainBest.wall;
+        counters.counters["ratio"] = paintedBest.wall / plainBest.wall;
+        counters.counters["processor_ratio"] = paintedBest.processor / plainBest.processor;
         state.camera.azimuth -= 0.5f * rounds;
         state.camera.distance *= zoom;
         state.follow(frameSize);
     }
 };
+
+/// One way to look at the scene, `setUp` before it is drawn; they run one after the other on one scene.
+void registerFrame(Bench& bench, const char* name, float zoom, std::function<void()> setUp) {
+    benchmark::RegisterBenchmark(name,
+                                 [&bench, zoom, setUp = std::move(setUp)](benchmark::State& state) {
+                                     setUp();
+                                     for ([[maybe_unused]] auto _ : state) bench.measure(state, zoom);
+                                 })
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(1);
+}
+
+void registerFrames(Bench& bench) {
+    ViewState& state = bench.state;
+    const auto aligned = [&state](bool followZoom, double density) {
+        return [&state, followZoom, density] {
+            state.setMethod("view-aligned");
+            state.params.followZoom = followZoom;
+            state.params.density = density;
+        };
+    };
+    registerFrame(bench, "viewAligned", 1, aligned(true, 1));
+    registerFrame(bench, "viewAlignedTwoOctaves", 1.4f, aligned(true, 1));
+    registerFrame(bench, "viewAlignedFixed", 1, aligned(false, 1));
+    registerFrame(bench, "viewAlignedDensity1.5", 1, aligned(false, 1.5));
+    registerFrame(bench, "imageBased", 1, [&state] {
+        state.setMethod("image-based");
+        state.viewTexture = noiseTexture(state);
+    });
+    const auto viewDependent = [&state](bool followCamera) {
+        return [&state, followCamera] {
+            state.setMethod("view-dependent");
+            state.setPaintedObjects(noisePainted(state.scene()));
+            state.viewDependent.followCamera = followCamera;
+        };
+    };
+    registerFrame(bench, "viewDependent", 1, viewDependent(false));
+    registerFrame(bench, "viewDependentFollowing", 1, viewDependent(true));
+}
 
 int run(const std::filesystem::path& file) {
     QOpenGLContext context;
@@ -217,7 +260,7 @@ int run(const std::filesystem::path& file) {
     surface.create();
     if (!openGlSupport().usable || !context.create() || !context.makeCurrent(&surface)) {
         std::puts("no OpenGL 4.1 here");
-        return 0;
+        return 1;
     }
     Gl& gl = *QOpenGLVersionFunctionsFactory::get<Gl>(&context);
     QOpenGLFramebufferObjectFormat format;
@@ -230,30 +273,10 @@ int run(const std::filesystem::path& file) {
                 std::make_unique<QOpenGLFramebufferObject>(frameSize, format),
                 std::make_unique<QOpenGLFramebufferObject>(frameSize)};
     if (!bench.plain.initialize(gl, *bench.state.paint(0).levels) || !bench.painted.initialize(gl)) return 1;
-    std::size_t faces = 0;
-    for (const scene::Object& object : bench.state.scene().objects) faces += object.mesh->triangles.size();
-    std::printf("%s, %d samples a pixel, %zu triangles, 1280 x 720\n",
-                reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER)), openGlSupport().samples, faces);
-    bench.measure(1, "as first seen");
-    bench.measure(1.4f, "zoomed, two octaves");
-    bench.state.params.followZoom = false;
-    bench.measure(1, "without following the zoom");
-    bench.state.params.density = 1.5;
-    bench.measure(1, "density 1.5");
-    bench.state.setMethod("image-based");
-    bench.state.viewTexture = noiseTexture(bench.state);
-    bench.measure(1, "image-based");
-    bench.state.setMethod("view-dependent");
-    bench.state.setPaintedObjects(noisePainted(bench.state.scene()));
-    bench.measure(1, "view-dependent");
-    bench.state.viewDependent.followCamera = true;
-    bench.measure(1, "following the camera");
-    for (std::size_t i = 0; i < bench.state.scene().objects.size(); ++i) {
-        const ObjectTexels texels = objectTexels(*bench.state.paintedObject(i), 2048);
-        std::printf("%s: textures of %.1f MB, %d x %d, %zu views\n",
-                    bench.state.scene().objects[i].name.c_str(), double(texels.textureBytes()) * 1e-6,
-                    texels.layout.size.x, texels.layout.size.y, texels.views.size() / 4);
-    }
+    benchmark::AddCustomContext("renderer", reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER)));
+    benchmark::AddCustomContext("samples", std::to_string(openGlSupport().samples));
+    registerFrames(bench);
+    benchmark::RunSpecifiedBenchmarks();
     bench.painted.release(gl);
     return 0;
 }
@@ -264,6 +287,7 @@ int run(const std::filesystem::path& file) {
 
 int main(int argc, char** argv) {
     QGuiApplication app(argc, argv);
+    benchmark::Initialize(&argc, argv);
     return chiaro::widgets::run(argc > 1 ? std::filesystem::path(argv[1])
                                          : chiaro::test::resource("demo/meshes/skull.glb"));
 }

@@ -1,15 +1,17 @@
 // Planning the views of the demo head and of half a million faces. "Visibility" is the groups of 12 views of
 // the head, to stay below a second on two cores; "Plan" everything from the mesh to the last pass, below ten
-// seconds for half a million faces. "memory" is the most that the program has taken so far, in bytes.
+// seconds for half a million faces. "memory" is the most that the program had meanwhile, in bytes.
 
 #include "core/scene/mesh_io.h"
 #include "core/views/planning.h"
 #include "core/views/visibility.h"
+#include "tests/bench/peak_memory.h"
+#include "tests/bench/thread_counts.h"
 #include "tests/core/scene/shapes.h"
 #include "tests/support/support.h"
 
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
+#include <tbb/global_control.h>
 
 namespace chiaro {
 namespace {
@@ -19,10 +21,10 @@ views::Surface demoHead() {
     return views::Surface(std::make_shared<const scene::Mesh>(scene::merged(model.meshes)));
 }
 
-/// 22 bumpy balls on a grid as one mesh, 502,656 faces in all.
-scene::Mesh manyFaces() {
+/// Bumpy balls on a grid as one mesh, 22,784 faces each.
+scene::Mesh manyFaces(int balls) {
     std::vector<scene::Mesh> meshes;
-    for (int i = 0; i < 22; ++i) {
+    for (int i = 0; i < balls; ++i) {
         scene::Mesh mesh = test::ball(128, 90);
         for (glm::vec3& position : mesh.positions)
             position =
@@ -33,17 +35,10 @@ scene::Mesh manyFaces() {
     return scene::merged(meshes);
 }
 
-double peakMemory() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return double(usage.ru_maxrss) * 1024;
-}
-
 void tell(benchmark::State& state, const views::Surface& surface, const views::ViewPlan& plan) {
     state.counters["faces"] = double(surface.faceCount());
     state.counters["views"] = double(plan.groups.size());
-    state.counters["memory"] =
-        benchmark::Counter(peakMemory(), benchmark::Counter::kDefaults, benchmark::Counter::kIs1024);
+    bench::tellPeakMemory(state);
 }
 
 void HeadVisibility(benchmark::State& state) {
@@ -67,15 +62,39 @@ void HeadPlan(benchmark::State& state) {
 }
 BENCHMARK(HeadPlan)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void ManyFacesPlan(benchmark::State& state) {
-    const auto mesh = std::make_shared<const scene::Mesh>(manyFaces());
+void plan(benchmark::State& state, int balls) {
+    const auto mesh = std::make_shared<const scene::Mesh>(manyFaces(balls));
+    bench::takePeakMemory();
     for ([[maybe_unused]] auto _ : state) {
         const views::Surface surface(mesh);
         const views::ViewPlan plan = views::planViews(surface, {});
         tell(state, surface, plan);
     }
 }
-BENCHMARK(ManyFacesPlan)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void ManyFacesPlan(benchmark::State& state) {
+    plan(state, int(state.range(0)));
+}
+BENCHMARK(ManyFacesPlan)
+    ->ArgName("balls")
+    ->Arg(1)
+    ->Arg(5)
+    ->Arg(11)
+    ->Arg(22)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+
+void PlanThreads(benchmark::State& state) {
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                      std::size_t(state.range(0)));
+    plan(state, 5);
+}
+BENCHMARK(PlanThreads)
+    ->Apply(bench::threadCounts)
+    ->ArgName("threads")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace chiaro
