@@ -3,9 +3,38 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
 namespace chiaro::exporting {
 
 namespace {
+
+/// Names as an OBJ file can hold them, on one line, without what begins a comment or goes on with the next
+/// line; no two are the same.
+class ObjNames {
+public:
+    std::string take(const std::string& name) {
+        std::string plain = name;
+        const auto isTrouble = [](unsigned char letter) {
+            return letter < ' ' || letter == 127 || letter == '#' || letter == '\\';
+        };
+        std::ranges::replace_if(plain, isTrouble, '_');
+        if (plain.find_first_not_of(" _") == plain.npos) plain = "object";
+        // Spaces at either end are lost when the line is read.
+        plain.erase(0, plain.find_first_not_of(' '));
+        plain.erase(plain.find_last_not_of(' ') + 1);
+        std::string free = plain;
+        for (int& number = m_numbers[plain]; !m_taken.insert(free).second;)
+            free = fmt::format("{} {}", plain, ++number + 1);
+        return free;
+    }
+
+private:
+    std::unordered_set<std::string> m_taken;
+    std::unordered_map<std::string, int> m_numbers;
+};
 
 /// What made the file, as lines of comment.
 std::string comments(const ImageMetadata& metadata) {
@@ -35,9 +64,10 @@ std::string objBytes(const std::filesystem::path& material, const TexturedScene&
     std::string text = comments(metadata) + fmt::format("mtllib {}\n", material.string());
     const auto end = std::back_inserter(text);
     std::size_t first = 1;
+    ObjNames names;
     for (const TexturedObject& object : scene.objects) {
         const PlacedVertices placed(object);
-        fmt::format_to(end, "o {}\nusemtl paint\n", object.name);
+        fmt::format_to(end, "o {}\nusemtl paint\n", names.take(object.name));
         // Nine digits give a float back to the bit.
         for (const glm::vec3& vertex : object.positions) {
             const glm::vec3 p = placed.position(vertex);

@@ -63,6 +63,25 @@ void expectSame(const scene::Mesh& mesh, const TexturedObject& object) {
     }
 }
 
+/// Names come from files that others made: what means something else in an OBJ file must not reach it.
+TEST(WriteTexturedScene, NamesThatWouldBreakAnObjAreMended) {
+    const TemporaryFolder folder;
+    TexturedScene scene = threeBoxes();
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects[0].name = "lid\nv 9 9 9 9";
+    scene.objects[1].name = "a#b\\";
+    scene.objects[2].name = "a_b_";
+    scene.objects[3].name = " \t\r\n";
+    writeTexturedScene(folder / "a.obj", scene);
+    const scene::Model model = scene::readModel(folder / "a.obj");
+    ASSERT_EQ(model.meshes.size(), 4u);
+    const std::array names{"lid_v 9 9 9 9", "a_b_", "a_b_ 2", "object"};
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(model.meshes[i].name, names[i]);
+        expectSame(model.meshes[i], scene.objects[i]);
+    }
+}
+
 TEST(WriteTexturedScene, ComesBackThroughOurOwnImporter) {
     const TemporaryFolder folder;
     const TexturedScene scene = threeBoxes();
