@@ -56,6 +56,7 @@ struct AnimateCommand {
         rangeOf({});
         const Task task = session.task("animate");
         project::Project project = source.load();
+        path.checkPeriod(keyed(project.animation));
         const FrameRange range = rangeOf(project.animation);
         if (!coherenceFlags.empty() && !source.methodGiven()) project.method = "image-based";
         for (const auto& apply : coherenceFlags) apply(project.coherence);

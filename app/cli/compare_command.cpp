@@ -46,6 +46,7 @@ struct CompareCommand {
 
     void run(Session& session) const {
         session.start();
+        path.checkPeriod();
         project::ComparisonParams wanted = params;
         const glm::ivec2 pixels = sizeFrom("--size", size);
         wanted.width = pixels.x;

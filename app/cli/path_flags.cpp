@@ -13,8 +13,21 @@ void PathFlags::addTo(CLI::App& command, const std::string& standardText) {
                     "around +Y), approach (the camera comes nearer by 4% of its distance each frame), or a "
                     "JSON file of camera and light keys (default {})",
                     standardText));
-    command.add_option("--period", m_period, "Frames in which a turn goes around once (default 48)")
-        ->check(CLI::Range(1, 100000));
+    m_periodFlag = command
+                       .add_option("--period", m_period,
+                                   "Frames in which --path turntable or light goes around once (default 48)")
+                       ->check(CLI::Range(1, 100000));
+}
+
+void PathFlags::checkPeriod(bool followsKeys) const {
+    if (m_periodFlag == nullptr || m_periodFlag->count() == 0) return;
+    if (followsKeys)
+        throw CLI::ValidationError(
+            "--period: means nothing to the keys of the project's timeline, which are followed; add --path "
+            "turntable or --path light");
+    if (name() != "turntable" && name() != "light")
+        throw CLI::ValidationError("--period: means nothing to --path " + name() +
+                                   "; it is for --path turntable and --path light");
 }
 
 scene::Path PathFlags::path() const {

@@ -14,6 +14,9 @@ public:
     void addTo(CLI::App& command) { addTo(command, m_standard); }
 
     bool isGiven() const { return !m_path.empty(); }
+    /// Throws CLI::ValidationError when --period is given and nothing goes around in it: when `followsKeys`
+    /// tells that the project's own keys are followed, or along another path than turntable and light.
+    void checkPeriod(bool followsKeys = false) const;
     /// Throws Error when it is a file that can't be used.
     scene::Path path() const;
     /// Its name, or its file.
@@ -25,6 +28,7 @@ private:
     std::string m_standard;
     std::string m_path;
     int m_period = 48;
+    const CLI::Option* m_periodFlag = nullptr;
 };
 
 }  // namespace chiaro::cli

@@ -98,6 +98,18 @@ TEST(Animate, ALightPathMovesTheLightAndAFileBoth) {
     EXPECT_NE(readImage(folder / "p.0002.png").values, readImage(folder / "p.0003.png").values);
 }
 
+TEST(Animate, APeriodThatNothingTurnsByIsRefused) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "p.json", R"({"path": 1, "keys": [{"frame": 1, "azimuth": 30}]})");
+    for (const std::string& path : {std::string("approach"), (folder / "p.json").string()}) {
+        const Outcome outcome =
+            animate(folder / "a.####.png", {"--frames", "1-2", "--path", path, "--period", "4"});
+        EXPECT_EQ(outcome.status, 2) << path;
+        EXPECT_NE(outcome.error.find("--period"), std::string::npos) << outcome.error;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.0001.png"));
+}
+
 TEST(Animate, FrameOneIsWhatRenderMakes) {
     const TemporaryFolder folder;
     for (const char* method : {"image-based", "view-aligned"}) {
