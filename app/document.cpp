@@ -245,13 +245,18 @@ std::vector<int> Document::duplicateObjects(const std::vector<int>& objects) {
     std::vector<int> copies;
     std::vector<int> first(objects);
     std::ranges::sort(first);
-    for (const int object : first) {
-        const int copy = object + int(copies.size()) + 1;
-        project::ObjectSettings settings = m_project.objects[std::size_t(object)];
-        settings.source = settings.sourceName();
-        settings.name = project::uniqueName(settings.name, next.objects);
-        next.objects.insert(next.objects.begin() + copy, std::move(settings));
-        copies.push_back(copy);
+    project::UniqueNames names(next.objects);
+    next.objects.clear();
+    auto duplicated = first.begin();
+    for (int object = 0; object < int(m_project.objects.size()); ++object) {
+        const project::ObjectSettings& original = m_project.objects[std::size_t(object)];
+        next.objects.push_back(original);
+        if (duplicated == first.end() || *duplicated != object) continue;
+        ++duplicated;
+        copies.push_back(int(next.objects.size()));
+        project::ObjectSettings& copy = next.objects.emplace_back(original);
+        copy.source = original.sourceName();
+        copy.name = names.take(original.name);
     }
     editContents(Change::Kind::Objects, tr("Duplicate"), next);
     return copies;
@@ -295,8 +300,9 @@ int Document::addMesh(const std::filesystem::path& path, const std::vector<std::
     Contents next = contents();
     const int file = int(next.meshes.size()), first = int(next.objects.size());
     next.meshes.push_back({path});
+    project::UniqueNames names(next.objects);
     for (const std::string& source : objectNames) {
-        const std::string name = project::uniqueName(source, next.objects);
+        const std::string name = names.take(source);
         next.objects.push_back({.name = name, .source = source, .mesh = file, .sample = sample});
         if (name == source) next.objects.back().source.clear();
     }

@@ -1,12 +1,14 @@
 #include "app/cli/project_source.h"
 
 #include "core/base/error.h"
+#include "core/project/objects.h"
 #include "core/project/render_method.h"
 #include "core/scene/mesh_io.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace chiaro::cli {
 
@@ -19,6 +21,9 @@ project::Sample sampleFrom(const std::filesystem::path& scan) {
     return sample;
 }
 
+/// Of an object that --object names and the project doesn't: whichever mesh file has it.
+constexpr int anyFile = -1;
+
 /// `NAME=SAMPLE`: gives one object a sample of its own.
 void dress(project::Project& project, const std::string& assignment) {
     const std::size_t equals = assignment.rfind('=');
@@ -27,8 +32,14 @@ void dress(project::Project& project, const std::string& assignment) {
     auto object = std::find_if(project.objects.begin(), project.objects.end(),
                                [&](const project::ObjectSettings& one) { return one.name == name; });
     if (object == project.objects.end())
-        object = project.objects.insert(object, project::ObjectSettings{.name = name});
+        object = project.objects.insert(object, project::ObjectSettings{.name = name, .mesh = anyFile});
     object->sample = int(project.samples.size()) - 1;
+}
+
+Error unknownObject(const std::filesystem::path& file, const std::string& wanted,
+                    const std::vector<std::string>& names) {
+    return Error(file.string(), "has no object \"" + wanted + "\"",
+                 fmt::format("it has \"{}\"", fmt::join(names, "\", \"")).substr(0, 400));
 }
 
 /// Reads a project's mesh file and refuses the project when it names objects that the file doesn't have.
@@ -37,17 +48,42 @@ project::MeshList readMeshes(const project::Project& project, std::size_t file, 
     project::MeshList meshes;
     std::vector<std::string> names;
     for (scene::Mesh& mesh : scene::readModel(path, task).meshes) {
-        names.push_back("\"" + mesh.name + "\"");
+        names.push_back(mesh.name);
         meshes.push_back(std::make_shared<const scene::Mesh>(std::move(mesh)));
     }
-    for (const project::ObjectSettings& object : project.objects) {
-        const std::string& source = object.sourceName();
-        if (object.mesh != int(file) || std::ranges::find(names, "\"" + source + "\"") != names.end())
-            continue;
-        throw Error(path.string(), "has no object \"" + source + "\"",
-                    fmt::format("it has {}", fmt::join(names, ", ")).substr(0, 400));
-    }
+    const std::unordered_set<std::string> known(names.begin(), names.end());
+    for (const project::ObjectSettings& object : project.objects)
+        if (object.mesh == int(file) && !known.contains(object.sourceName()))
+            throw unknownObject(path, object.sourceName(), names);
     return meshes;
+}
+
+/// The project with the objects that --object named where the scene has them, by the names that it gives
+/// them.
+project::Project withAllObjects(const project::Project& project,
+                                const std::vector<project::MeshList>& models) {
+    project::Project found = project;
+    const auto isPlaceless = [](const project::ObjectSettings& object) { return object.mesh == anyFile; };
+    if (std::erase_if(found.objects, isPlaceless) == 0) return found;
+    project::ObjectNames names;
+    for (const project::MeshList& model : models) {
+        names.emplace_back();
+        for (const auto& mesh : model) names.back().push_back(mesh->name);
+    }
+    found.objects = project::allObjects(found, names);
+    for (const project::ObjectSettings& wanted : project.objects) {
+        if (!isPlaceless(wanted)) continue;
+        const auto object = std::ranges::find(found.objects, wanted.name, &project::ObjectSettings::name);
+        if (object != found.objects.end()) {
+            object->sample = wanted.sample;
+            continue;
+        }
+        std::vector<std::string> known;
+        for (const project::ObjectSettings& one : found.objects) known.push_back(one.name);
+        throw unknownObject(project.meshes.size() == 1 ? project.meshes.front().path : "the scene",
+                            wanted.name, known);
+    }
+    return found;
 }
 
 }  // namespace
@@ -197,7 +233,7 @@ scene::Scene readScene(const project::Project& project, const Task& task) {
     const double share = 1 / double(project.meshes.size());
     for (std::size_t i = 0; i < project.meshes.size(); ++i)
         models.push_back(readMeshes(project, i, task.part(share * double(i), share * double(i + 1))));
-    return project::makeScene(project, models);
+    return project::makeScene(withAllObjects(project, models), models);
 }
 
 LoadedProject loadProject(project::Project project, const Task& task) {

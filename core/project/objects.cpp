@@ -3,43 +3,76 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <map>
 
 namespace chiaro::project {
 
 namespace fs = std::filesystem;
 
-std::string uniqueName(const std::string& wanted, const std::vector<ObjectSettings>& objects) {
-    const auto isTaken = [&](const std::string& name) {
-        return std::ranges::find(objects, name, &ObjectSettings::name) != objects.end();
-    };
+UniqueNames::UniqueNames(const std::vector<ObjectSettings>& objects) {
+    for (const ObjectSettings& object : objects) m_taken.insert(object.name);
+}
+
+std::string UniqueNames::take(const std::string& wanted) {
     std::string name = wanted;
-    for (int number = 2; isTaken(name); ++number) name = fmt::format("{} {}", wanted, number);
+    if (m_taken.contains(name)) {
+        int& number = m_next.try_emplace(wanted, 2).first->second;
+        while (m_taken.contains(name = fmt::format("{} {}", wanted, number))) ++number;
+    }
+    m_taken.insert(name);
     return name;
 }
 
+std::string uniqueName(const std::string& wanted, const std::vector<ObjectSettings>& objects) {
+    return UniqueNames(objects).take(wanted);
+}
+
+namespace {
+
+/// The settings that name objects of one mesh file, in the project's order.
+struct FileSettings {
+    std::vector<const ObjectSettings*> all;
+    std::unordered_multimap<std::string, std::size_t> bySource;  ///< indices into `all`
+};
+
+std::vector<FileSettings> settingsByFile(const Project& project) {
+    std::vector<FileSettings> files(project.meshes.size());
+    for (const ObjectSettings& one : project.objects) {
+        FileSettings& file = files[std::size_t(one.mesh)];
+        file.bySource.emplace(one.sourceName(), file.all.size());
+        file.all.push_back(&one);
+    }
+    return files;
+}
+
+}  // namespace
+
 std::vector<ObjectSettings> allObjects(const Project& project, const ObjectNames& names) {
-    std::multimap<std::pair<int, std::string>, const ObjectSettings*> named;
-    for (const ObjectSettings& one : project.objects)
-        named.emplace(std::pair(one.mesh, one.sourceName()), &one);
-    std::vector<ObjectSettings> all, taken = project.objects;
-    for (int file = 0; file < int(project.meshes.size()); ++file) {
-        const auto& sources =
-            std::size_t(file) < names.size() ? names[std::size_t(file)] : ObjectNames::value_type{};
+    const std::vector<FileSettings> files = settingsByFile(project);
+    std::vector<ObjectSettings> all;
+    UniqueNames unique(project.objects);
+    for (std::size_t file = 0; file < files.size(); ++file) {
+        const FileSettings& known = files[file];
+        const MeshFile& mesh = project.meshes[file];
+        const std::unordered_set<std::string> without(mesh.without.begin(), mesh.without.end());
+        std::vector<bool> isThere(known.all.size(), false);
+        const auto sources = file < names.size() ? names[file] : ObjectNames::value_type{};
         for (const std::string& source : sources) {
-            const auto [first, last] = named.equal_range({file, source});
-            for (auto one = first; one != last; ++one) all.push_back(*one->second);
-            const auto& without = project.meshes[std::size_t(file)].without;
-            if (first != last || std::ranges::find(without, source) != without.end()) continue;
+            std::vector<std::size_t> named;
+            const auto [first, last] = known.bySource.equal_range(source);
+            for (auto one = first; one != last; ++one) named.push_back(one->second);
+            std::ranges::sort(named);
+            for (const std::size_t one : named) {
+                all.push_back(*known.all[one]);
+                isThere[one] = true;
+            }
+            if (!named.empty() || without.contains(source)) continue;
             ObjectSettings& added = all.emplace_back();
-            added.name = uniqueName(source, taken);
+            added.name = unique.take(source);
             if (added.name != source) added.source = source;
-            added.mesh = file;
-            taken.push_back(added);
+            added.mesh = int(file);
         }
-        for (const std::string& source : sources) named.erase({file, source});
-        for (const ObjectSettings& one : project.objects)
-            if (one.mesh == file && named.contains({file, one.sourceName()})) all.push_back(one);
+        for (std::size_t one = 0; one < known.all.size(); ++one)
+            if (!isThere[one]) all.push_back(*known.all[one]);
     }
     return all;
 }

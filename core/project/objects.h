@@ -2,6 +2,9 @@
 
 #include "core/project/project.h"
 
+#include <unordered_map>
+#include <unordered_set>
+
 namespace chiaro::project {
 
 /// The names of the objects of each of a project's mesh files, in their order there; empty for a file that
@@ -13,7 +16,21 @@ using ObjectNames = std::vector<std::vector<std::string>>;
 /// settings of their own; those that their file doesn't have come last of their file.
 std::vector<ObjectSettings> allObjects(const Project& project, const ObjectNames& names);
 
-/// `wanted` if no object has that name, else with a number behind it.
+/// Gives names that no two objects share: the wanted one where it is free, else with the smallest number
+/// behind it that is. Takes about as long for one object among many as among few.
+class UniqueNames {
+public:
+    /// The names of these are taken.
+    explicit UniqueNames(const std::vector<ObjectSettings>& objects);
+    /// The name is taken from then on.
+    std::string take(const std::string& wanted);
+
+private:
+    std::unordered_set<std::string> m_taken;
+    std::unordered_map<std::string, int> m_next;  ///< number to try next for a name that was taken
+};
+
+/// The name that UniqueNames would give one more object.
 std::string uniqueName(const std::string& wanted, const std::vector<ObjectSettings>& objects);
 
 /// A file that a project names and that isn't there.

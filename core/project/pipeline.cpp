@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace chiaro::project {
 
@@ -44,9 +46,13 @@ namespace {
 
 constexpr std::size_t maximumObjects = 65535;  // object ids have 16 bits
 
-std::shared_ptr<const scene::Mesh> meshNamed(const MeshList& model, const std::string& name) {
-    const auto found = std::ranges::find(model, name, [](const auto& mesh) { return mesh->name; });
-    return found == model.end() ? nullptr : *found;
+/// The meshes of a file by their names; of several with the same the first.
+using NamedMeshes = std::unordered_map<std::string_view, std::shared_ptr<const scene::Mesh>>;
+
+NamedMeshes byName(const MeshList& model) {
+    NamedMeshes named;
+    for (const auto& mesh : model) named.emplace(mesh->name, mesh);
+    return named;
 }
 
 glm::mat4 placeOf(const ObjectSettings& settings, const scene::Mesh* mesh) {
@@ -59,7 +65,9 @@ glm::mat4 placeOf(const ObjectSettings& settings, const scene::Mesh* mesh) {
 
 scene::Scene makeScene(const Project& project, const std::vector<MeshList>& models) {
     ObjectNames names;
+    std::vector<NamedMeshes> meshes;
     for (const MeshList& model : models) {
+        meshes.push_back(byName(model));
         auto& ofFile = names.emplace_back();
         for (const auto& mesh : model) ofFile.push_back(mesh->name);
     }
@@ -69,8 +77,11 @@ scene::Scene makeScene(const Project& project, const std::vector<MeshList>& mode
     for (const ObjectSettings& settings : allObjects(project, names)) {
         scene::Object& object = scene.objects.emplace_back();
         object.name = settings.name;
-        if (std::size_t(settings.mesh) < models.size())
-            object.mesh = meshNamed(models[std::size_t(settings.mesh)], settings.sourceName());
+        if (std::size_t(settings.mesh) < meshes.size()) {
+            const NamedMeshes& ofFile = meshes[std::size_t(settings.mesh)];
+            const auto found = ofFile.find(settings.sourceName());
+            if (found != ofFile.end()) object.mesh = found->second;
+        }
         object.transform = placeOf(settings, object.mesh.get());
         object.sample = settings.sample;
         object.visible = settings.visible;
@@ -175,10 +186,12 @@ std::shared_ptr<const methods::PaintedObject> paintObject(
 
 namespace {
 
-bool hasPlacedViews(const Project& project, const scene::Object& object) {
-    return std::ranges::any_of(project.objects, [&](const ObjectSettings& settings) {
-        return settings.name == object.name && !settings.views.empty();
-    });
+/// The names of the objects that the artist placed views on.
+std::unordered_set<std::string_view> withPlacedViews(const Project& project) {
+    std::unordered_set<std::string_view> names;
+    for (const ObjectSettings& settings : project.objects)
+        if (!settings.views.empty()) names.insert(settings.name);
+    return names;
 }
 
 }  // namespace
@@ -186,6 +199,7 @@ bool hasPlacedViews(const Project& project, const scene::Object& object) {
 WornPaints wornPaints(const Project& project, const scene::Scene& scene, const std::vector<Paint>& paints,
                       const Task& task, const TextureCache* cache) {
     WornPaints worn;
+    const std::unordered_set<std::string_view> placed = withPlacedViews(project);
     const bool usesViews = renderMethod(project.method).usesViews;
     std::map<std::tuple<const scene::Mesh*, int, double>, std::shared_ptr<const methods::PaintedObject>>
         painted;
@@ -197,9 +211,8 @@ WornPaints wornPaints(const Project& project, const scene::Scene& scene, const s
         if (!usesViews || !object.visible || !object.mesh) continue;
         // A copy of an object wears its textures, unless the artist placed views on either.
         std::shared_ptr<const methods::PaintedObject> own;
-        auto& views = hasPlacedViews(project, object)
-                          ? own
-                          : painted[{object.mesh.get(), object.sample, scaleOf(object)}];
+        auto& views =
+            placed.contains(object.name) ? own : painted[{object.mesh.get(), object.sample, scaleOf(object)}];
         if (!views) {
             const Task part = task.part(share * double(i), share * double(i + 1));
             views = paintObject(project, planObject(project, scene, i, part.part(0, 0.2)), *one.paint,

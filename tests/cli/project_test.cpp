@@ -2,6 +2,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/image_io.h"
+#include "core/scene/mesh_io.h"
 #include "tests/cli/program.h"
 #include "tests/support/support.h"
 
@@ -101,6 +102,35 @@ TEST(ProjectFile, AnimationsGoByItsKeysAndItsRenderRange) {
         EXPECT_EQ(pixels((std::string("own") + frame).c_str()),
                   pixels((std::string("file") + frame).c_str()));
     EXPECT_NE(pixels("own.0004.png"), pixels("turn.0004.png"));
+    const Outcome period = chiaro(
+        {"animate", folder / "a.chiaro", "--size", "48x48", "--period", "12", "-o", folder / "p.####.png"});
+    EXPECT_EQ(period.status, 2);
+    EXPECT_NE(period.error.find("--path turntable"), std::string::npos) << period.error;
+}
+
+TEST(ProjectFile, AFlagDressesObjectsOfAnyMeshFile) {
+    const TemporaryFolder folder;
+    const std::string hatching = resource("demo/samples/hatching.png").string();
+    project::Project project = shellAndSkull();
+    const auto picture = [&](const project::Project& shown, const std::vector<std::string>& flags) {
+        painted(folder, shown, flags);
+        return readImage(folder / "a.png", {}).values;
+    };
+    // As a project that was written by hand: its objects have the names that their files give them.
+    project.objects.clear();
+    project.frameCamera = true;
+    const std::string second = scene::readModel(project.meshes[1].path).meshes.front().name;
+    project::Project dressed = project;
+    dressed.samples.push_back(dressed.samples[0]);
+    dressed.samples[1].scan = hatching;
+    dressed.objects = {{.name = second, .mesh = 1, .sample = 1}};
+    EXPECT_EQ(picture(project, {"--object", second + "=" + hatching}), picture(dressed, {}));
+    project::writeProject(folder / "a.chiaro", project);
+    const Outcome unknown =
+        chiaro({"render", folder / "a.chiaro", "--object", "tail=" + hatching, "-o", folder / "b.png"});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.error.find("has no object \"tail\""), std::string::npos) << unknown.error;
+    EXPECT_NE(unknown.error.find("\"" + second + "\""), std::string::npos) << unknown.error;
 }
 
 }  // namespace

@@ -4,6 +4,10 @@
 #include "core/project/pipeline.h"
 #include "tests/support/support.h"
 
+#include <spdlog/fmt/fmt.h>
+
+#include <chrono>
+
 namespace chiaro::project {
 namespace {
 
@@ -74,6 +78,42 @@ TEST(Objects, StandWhereTheirPlacementPutsThem) {
     EXPECT_EQ(scene.objects[1].mesh, shared);
     // The centre (1, 1, 0) moves by 5; the corner at the origin lies twice as far from it.
     EXPECT_EQ(glm::vec3(scene.objects[1].transform[3]), glm::vec3(4, -1, 0));
+}
+
+std::shared_ptr<const scene::Mesh> meshNamed(const std::string& name) {
+    scene::Mesh mesh;
+    mesh.name = name;
+    return std::make_shared<const scene::Mesh>(std::move(mesh));
+}
+
+/// What takes seconds when every object is looked for among all others takes a fraction of one.
+TEST(Objects, AsManyAsThereMayBeAreMadeQuickly) {
+    constexpr int count = 65'535;
+    Project project;
+    project.meshes = {{"/a.glb"}, {"/b.glb"}};
+    std::vector<MeshList> models(2);
+    for (int i = 0; i < count; ++i) models[std::size_t(i % 2)].push_back(meshNamed(fmt::format("{}", i / 2)));
+    for (int i = 0; i < count; i += 8) project.meshes[std::size_t(i % 2)].without.push_back("none");
+    const auto start = std::chrono::steady_clock::now();
+    const scene::Scene scene = makeScene(project, models);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    ASSERT_EQ(scene.objects.size(), std::size_t(count));
+    EXPECT_EQ(scene.objects[40'000].name, "7232 2") << "the second file's names are taken";
+    EXPECT_EQ(scene.objects[40'000].mesh, models[1][7232]);
+    EXPECT_LT(time.count(), 1.5);
+}
+
+TEST(Objects, GetTheSmallestNumberThatIsFree) {
+    std::vector<ObjectSettings> objects(3);
+    objects[0].name = "cube";
+    objects[1].name = "cube 3";
+    objects[2].name = "ball";
+    UniqueNames names(objects);
+    EXPECT_EQ(names.take("cube"), "cube 2");
+    EXPECT_EQ(names.take("cube"), "cube 4");
+    EXPECT_EQ(names.take("cone"), "cone");
+    EXPECT_EQ(names.take("cone"), "cone 2");
+    EXPECT_EQ(uniqueName("ball", objects), "ball 2");
 }
 
 TEST(Missing, FilesAreFoundBesideTheOneThatTheArtistNames) {
