@@ -4,7 +4,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -18,11 +21,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A name beside the destination that no other process and no other thread is using.
+/// A name beside the destination that no other process, here or on another machine that shares the folder,
+/// and no other thread is using.
 fs::path temporaryBeside(const fs::path& destination) {
     static std::atomic<unsigned> counter{0};
-    return destination.parent_path() / fmt::format(".{}.{}-{}{}", destination.stem().string(), ::getpid(),
-                                                   counter++, destination.extension().string());
+    return destination.parent_path() / fmt::format(".{}.{}-{}-{}{}", destination.stem().string(), ::getpid(),
+                                                   counter++, thisMachine(),
+                                                   destination.extension().string());
 }
 
 Error writeError(const fs::path& path, const std::string& reason) {
@@ -41,6 +46,18 @@ void flushToDisk(const fs::path& path, const fs::path& destination, int flags) {
 
 }  // namespace
 
+std::string thisMachine() {
+    static const std::string name = [] {
+        std::array<char, 256> host{};
+        if (::gethostname(host.data(), host.size() - 1) != 0 || host[0] == 0) return std::string("unnamed");
+        std::string text = host.data();
+        std::ranges::replace_if(
+            text, [](unsigned char letter) { return !std::isalnum(letter); }, '_');
+        return text;
+    }();
+    return name;
+}
+
 AtomicFile::AtomicFile(fs::path destination) : m_destination(std::move(destination)) {
     std::error_code error;
     if (m_destination.has_parent_path()) fs::create_directories(m_destination.parent_path(), error);
@@ -58,8 +75,12 @@ AtomicFile::~AtomicFile() {
     if (!m_committed) fs::remove(m_temporary, ignored);
 }
 
-void AtomicFile::commit() {
+void AtomicFile::flush() const {
     flushToDisk(m_temporary, m_destination, O_RDONLY);
+}
+
+void AtomicFile::commit() {
+    flush();
     std::error_code error;
     fs::rename(m_temporary, m_destination, error);
     if (error) throw writeError(m_destination, error.message());
@@ -71,7 +92,7 @@ void AtomicFile::write(std::string_view bytes) const {
     stream.write(bytes.data(), std::streamsize(bytes.size()));
     stream.close();
     if (!stream) throw writeError(m_destination, std::strerror(errno));
-    flushToDisk(m_temporary, m_destination, O_RDONLY);
+    flush();
 }
 
 void writeFileAtomically(const fs::path& path, std::string_view bytes) {

@@ -11,7 +11,7 @@ namespace chiaro {
 
 /// A file that appears whole or not at all: it is written beside its destination under another name, checked,
 /// flushed to the disk and then renamed over the destination. Destroyed uncommitted, it leaves nothing
-/// behind.
+/// behind. The other name is .STEM.PROCESS-NUMBER-MACHINE.EXTENSION.
 class AtomicFile {
 public:
     /// Creates the destination's folder when it is missing. Throws Error when that can't be done.
@@ -22,6 +22,8 @@ public:
 
     /// Where to write meanwhile: the same folder, the same extension.
     const std::filesystem::path& temporaryPath() const { return m_temporary; }
+    /// Flushes to the disk what was written under the temporary name. Throws Error naming the destination.
+    void flush() const;
     /// Writes the bytes under the temporary name and flushes them to the disk, every write checked. Throws
     /// Error naming the destination.
     void write(std::string_view bytes) const;
@@ -33,6 +35,9 @@ private:
     std::filesystem::path m_temporary;
     bool m_committed = false;
 };
+
+/// The name of this machine as temporary names have it: letters, digits and underscores alone.
+std::string thisMachine();
 
 /// Writes the bytes as an AtomicFile, every write checked. Throws Error naming the path.
 void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);

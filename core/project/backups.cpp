@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <csignal>
 
 namespace chiaro::project {
@@ -31,14 +32,33 @@ bool isSame(const fs::path& a, const fs::path& b) {
     }
 }
 
-/// The process that an atomic file's temporary name ".STEM.PID-N.EXTENSION" tells; 0 when it is no such name.
-int writerOf(const fs::path& path, const fs::path& file) {
-    const std::string name = path.filename().string(), start = fmt::format(".{}.", file.stem().string());
-    if (!name.starts_with(start) || path.extension() != file.extension()) return 0;
-    int process = 0;
-    const auto [end, problem] =
-        std::from_chars(name.data() + start.size(), name.data() + name.size(), process);
-    return problem == std::errc() && *end == '-' ? process : 0;
+/// Who writes an atomic file under the temporary name .STEM.PROCESS-NUMBER-MACHINE.EXTENSION.
+struct Writer {
+    int process = 0;      ///< 0: it is no such name
+    std::string machine;  ///< empty when the name doesn't tell
+};
+
+Writer writerOf(const fs::path& path, const fs::path& file) {
+    const std::string name = path.stem().string(), start = fmt::format(".{}.", file.stem().string());
+    if (!name.starts_with(start) || path.extension() != file.extension()) return {};
+    const char* const last = name.data() + name.size();
+    int process = 0, number = 0;
+    const auto afterProcess = std::from_chars(name.data() + start.size(), last, process);
+    if (afterProcess.ec != std::errc() || afterProcess.ptr == last || *afterProcess.ptr != '-') return {};
+    const auto afterNumber = std::from_chars(afterProcess.ptr + 1, last, number);
+    if (afterNumber.ec != std::errc()) return {};
+    if (afterNumber.ptr == last) return {process, {}};
+    return *afterNumber.ptr == '-' ? Writer{process, {afterNumber.ptr + 1, last}} : Writer{};
+}
+
+/// Whether its writer runs no more. Of a process on another machine that shares the folder only the time
+/// tells: nobody writes a project for a day.
+bool isLeftBehind(const Writer& writer, const fs::path& path) {
+    if (writer.process <= 0) return false;
+    if (writer.machine == thisMachine()) return ::kill(writer.process, 0) != 0 && errno == ESRCH;
+    std::error_code error;
+    const auto written = fs::last_write_time(path, error);
+    return !error && fs::file_time_type::clock::now() - written > std::chrono::hours(24);
 }
 
 }  // namespace
@@ -71,8 +91,7 @@ void removeLeftovers(const fs::path& file) {
     std::error_code error;
     const fs::path folder = fs::absolute(file).parent_path();
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-        const int process = writerOf(entry.path(), file);
-        if (process <= 0 || ::kill(process, 0) == 0 || errno != ESRCH) continue;
+        if (!isLeftBehind(writerOf(entry.path(), file), entry.path())) continue;
         std::error_code ignored;
         fs::remove(entry.path(), ignored);
     }

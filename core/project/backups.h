@@ -16,7 +16,8 @@ void keepBackup(const std::filesystem::path& file);
 /// The backups that there are, the latest first.
 std::vector<std::filesystem::path> backupsOf(const std::filesystem::path& file);
 
-/// Removes what programs that were killed amid writing this file left beside it.
+/// Removes what programs that were killed amid writing this file left beside it; of those on other machines
+/// that share the folder only what is older than a day.
 void removeLeftovers(const std::filesystem::path& file);
 
 }  // namespace chiaro::project

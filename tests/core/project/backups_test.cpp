@@ -8,6 +8,7 @@
 #include <spdlog/fmt/fmt.h>
 #include <sys/wait.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <unistd.h>
@@ -55,7 +56,7 @@ TEST(Backups, OnlyLeftoversOfTheDeadAreRemoved) {
     if (dead == 0) ::_exit(0);
     ::waitpid(dead, nullptr, 0);
     const auto temporary = [&](const std::string& stem, int process) {
-        const auto path = folder / fmt::format(".{}.{}-3.chiaro", stem, process);
+        const auto path = folder / fmt::format(".{}.{}-3-{}.chiaro", stem, process, thisMachine());
         writeFileAtomically(path, "x");
         return path;
     };
@@ -64,6 +65,28 @@ TEST(Backups, OnlyLeftoversOfTheDeadAreRemoved) {
     EXPECT_TRUE(std::filesystem::exists(mine));
     EXPECT_TRUE(std::filesystem::exists(others));
     EXPECT_FALSE(std::filesystem::exists(left));
+}
+
+/// Folders are shared between machines: a number that names no process here may name one elsewhere.
+TEST(Backups, LeftoversOfOtherMachinesAreRemovedOnlyWhenTheyAreOld) {
+    const test::TemporaryFolder folder;
+    const auto file = folder / "a.chiaro";
+    const pid_t dead = ::fork();
+    if (dead == 0) ::_exit(0);
+    ::waitpid(dead, nullptr, 0);
+    const auto written = [&](const std::string& name, std::chrono::hours age) {
+        writeFileAtomically(folder / name, "x");
+        std::filesystem::last_write_time(folder / name, std::filesystem::file_time_type::clock::now() - age);
+        return folder / name;
+    };
+    using std::chrono::hours;
+    const auto fresh = written(fmt::format(".a.{}-3-elsewhere.chiaro", dead), hours(1));
+    const auto old = written(fmt::format(".a.{}-4-elsewhere.chiaro", dead), hours(30));
+    const auto nameless = written(fmt::format(".a.{}-5.chiaro", dead), hours(1));
+    removeLeftovers(file);
+    EXPECT_TRUE(std::filesystem::exists(fresh));
+    EXPECT_FALSE(std::filesystem::exists(old));
+    EXPECT_TRUE(std::filesystem::exists(nameless)) << "of whichever machine";
 }
 
 Project projectNamed(const std::string& name) {
