@@ -1,6 +1,7 @@
 #include "app/autosave.h"
 
 #include "app/document.h"
+#include "app/lock_file.h"
 #include "core/base/atomic_file.h"
 
 #include <nlohmann/json.hpp>
@@ -21,20 +22,14 @@ fs::path noteOf(const fs::path& copy) {
     return fs::path(copy).replace_extension(".json");
 }
 
-fs::path lockOf(const fs::path& copy) {
-    return fs::path(copy).replace_extension(".lock");
+std::unique_ptr<QLockFile> lockOf(const fs::path& copy) {
+    return lockAt(fs::path(copy).replace_extension(".lock"));
 }
 
 void removeCopy(const fs::path& copy) {
     std::error_code ignored;
     fs::remove(copy, ignored);
     fs::remove(noteOf(copy), ignored);
-}
-
-std::unique_ptr<QLockFile> lockFor(const fs::path& copy) {
-    auto lock = std::make_unique<QLockFile>(QString::fromStdString(lockOf(copy).string()));
-    lock->setStaleLockTime(0);  // it is stale when its process runs no more, however old it is
-    return lock;
 }
 
 }  // namespace
@@ -46,7 +41,7 @@ Autosave::Autosave(Document& document, fs::path folder, Rhythm rhythm, QObject* 
     fs::create_directories(m_folder, ignored);
     const QString id = QUuid::createUuid().toString(QUuid::WithoutBraces);
     m_copy = m_folder / (id.toStdString() + ".chiaro");
-    m_lock = lockFor(m_copy);
+    m_lock = lockOf(m_copy);
     m_lock->tryLock();
     m_soon.setSingleShot(true);
     m_soon.setInterval(int(rhythm.seconds * 1000));
@@ -126,7 +121,7 @@ std::vector<Autosave::Leftover> Autosave::leftovers() const {
         // Names that begin with a dot are of files that were being written.
         if (path.extension() != ".chiaro" || path == m_copy || path.filename().string().starts_with('.'))
             continue;
-        const auto lock = lockFor(path);
+        const auto lock = lockOf(path);
         if (!lock->tryLock()) continue;  // its studio runs
         Leftover leftover{.kept = path, .original = {}, .name = tr("Untitled"), .time = {}};
         leftover.time = QFileInfo(QString::fromStdString(path.string())).lastModified();

@@ -9,6 +9,7 @@
 #include "app/docks/scene_dock.h"
 #include "app/docks/timeline_dock.h"
 #include "app/docks/view_planning_dock.h"
+#include "app/dropped_files.h"
 #include "app/empty_hint.h"
 #include "app/exporter.h"
 #include "app/job_status.h"
@@ -37,13 +38,6 @@ namespace {
 constexpr std::size_t memoBytes = std::size_t(1) << 30;
 constexpr int layoutVersion = 4;  ///< of the saved arrangement of docks
 constexpr glm::vec3 viewportBackground(0.165F);
-
-QStringList localFiles(const QMimeData& data) {
-    QStringList paths;
-    for (const QUrl& url : data.urls())
-        if (url.isLocalFile()) paths << url.toLocalFile();
-    return paths;
-}
 
 }  // namespace
 

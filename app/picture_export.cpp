@@ -20,12 +20,6 @@ const PicturePaint& unpainted() {
     return paint;
 }
 
-bool isWorn(const scene::Scene& scene, int sample) {
-    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const scene::Object& object) {
-        return object.visible && object.sample == sample;
-    });
-}
-
 void makeMissingPaints(PictureSource& source, const Task& task) {
     const int count = int(source.paints.size());
     for (int sample = 0; sample < count; ++sample) {

@@ -1,5 +1,7 @@
 #include "app/project_lock.h"
 
+#include "app/lock_file.h"
+
 #include <spdlog/fmt/fmt.h>
 
 #include <QtWidgets>
@@ -8,11 +10,8 @@ namespace chiaro::app {
 
 namespace {
 
-std::unique_ptr<QLockFile> lockFor(const std::filesystem::path& project) {
-    const auto file = project.parent_path() / fmt::format(".{}.lock", project.filename().string());
-    auto lock = std::make_unique<QLockFile>(QString::fromStdString(file.string()));
-    lock->setStaleLockTime(0);  // it is stale when its process runs no more, however old it is
-    return lock;
+std::unique_ptr<QLockFile> lockOf(const std::filesystem::path& project) {
+    return lockAt(project.parent_path() / fmt::format(".{}.lock", project.filename().string()));
 }
 
 }  // namespace
@@ -22,12 +21,12 @@ void ProjectLock::take(const std::filesystem::path& project) {
     m_project = project;
     m_lock.reset();
     if (project.empty()) return;
-    m_lock = lockFor(project);
+    m_lock = lockOf(project);
     m_lock->tryLock();
 }
 
 std::optional<QString> ProjectLock::holder(const std::filesystem::path& project) {
-    const auto lock = lockFor(project);
+    const auto lock = lockOf(project);
     if (lock->tryLock() || lock->error() != QLockFile::LockFailedError) return std::nullopt;
     qint64 process = 0;
     QString host, program;

@@ -6,15 +6,11 @@
 
 namespace chiaro::app {
 
-namespace {
-
-bool isWorn(const scene::Scene& scene, std::size_t sample) {
+bool isWorn(const scene::Scene& scene, int sample) {
     return std::ranges::any_of(scene.objects, [&](const scene::Object& object) {
-        return object.visible && object.sample == int(sample);
+        return object.visible && object.sample == sample;
     });
 }
-
-}  // namespace
 
 WornScene::WornScene(const PictureSource& source, const Task& task) : m_paints(source.paints.size()) {
     m_bare.shown = {glm::vec3(0.1F), glm::vec3(0.9F)};
@@ -56,7 +52,7 @@ void WornScene::wearPaints(const PictureSource& source, const Task& task) {
     const double share = 1 / double(std::max<std::size_t>(m_paints.size(), 1));
     for (std::size_t i = 0; i < m_paints.size(); ++i) {
         const PicturePaint& made = source.paints[i];
-        if (!isWorn(source.scene, i)) continue;
+        if (!isWorn(source.scene, int(i))) continue;
         if (usesLevels && made.levels && !made.gradient.empty()) {
             m_paints[i].levels = *made.levels;
             m_paints[i].shown = made.gradient;

@@ -5,6 +5,9 @@
 
 namespace chiaro::app {
 
+/// True when an object that is shown wears the sample.
+bool isWorn(const scene::Scene& scene, int sample);
+
 /// What the objects of a source wear, as core's methods take it. What the studio has made already is used,
 /// the rest is made now; objects without a sample are grey, as the viewport shows them.
 class WornScene {

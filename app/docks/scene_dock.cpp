@@ -3,6 +3,7 @@
 #include "app/docks/light_panel.h"
 #include "app/docks/object_panel.h"
 #include "app/document.h"
+#include "app/dropped_files.h"
 #include "app/meshes.h"
 #include "app/scene_model.h"
 #include "widgets/parameter_form.h"
@@ -19,13 +20,6 @@ using widgets::ParameterForm;
 namespace {
 
 enum Page { NothingPage, ObjectPage, LightPage };
-
-QStringList localFiles(const QMimeData& data) {
-    QStringList paths;
-    for (const QUrl& url : data.urls())
-        if (url.isLocalFile()) paths << url.toLocalFile();
-    return paths;
-}
 
 }  // namespace
 
