@@ -1,5 +1,6 @@
 #include "app/export_dialog.h"
 
+#include "app/replace_question.h"
 #include "core/base/image_io.h"
 
 #include <QtWidgets>
@@ -64,7 +65,7 @@ ExportDialog::ExportDialog(const PictureSettings& suggestion, QWidget* parent)
 
     connect(browseButton, &QPushButton::clicked, this, &ExportDialog::browse);
     connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::showFile);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     showFile();
 }
@@ -79,10 +80,15 @@ PictureSettings ExportDialog::settings() const {
     return settings;
 }
 
+void ExportDialog::accept() {
+    if (mayReplace(*this, {settings().path})) QDialog::accept();
+}
+
 void ExportDialog::browse() {
     const QString path =
         QFileDialog::getSaveFileName(this, tr("Export Picture"), m_path->text(),
-                                     tr("Pictures (*.png *.tif *.tiff *.jpg *.jpeg *.webp *.exr)"));
+                                     tr("Pictures (*.png *.tif *.tiff *.jpg *.jpeg *.webp *.exr)"), nullptr,
+                                     QFileDialog::DontConfirmOverwrite);
     if (!path.isEmpty()) m_path->setText(path);
 }
 

@@ -11,7 +11,7 @@ class QSpinBox;
 
 namespace chiaro::app {
 
-/// Asks for a picture's size and file.
+/// Asks for a picture's size and file, and before it replaces a file.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
@@ -19,6 +19,7 @@ public:
     ExportDialog(const PictureSettings& suggestion, QWidget* parent);
 
     PictureSettings settings() const;
+    void accept() override;
 
 private:
     void browse();

@@ -94,7 +94,9 @@ QString fileName(const std::filesystem::path& path) {
 }  // namespace
 
 Opener::Opener(Document& document, JobRunner& jobs, Paints& paints, Meshes& meshes, QObject* parent)
-    : QObject(parent), m_document(document), m_jobs(jobs), m_paints(paints), m_meshes(meshes) {}
+    : QObject(parent), m_document(document), m_jobs(jobs), m_paints(paints), m_meshes(meshes) {
+    connect(&document, &Document::changed, this, [this] { m_isEdited = true; });
+}
 
 void Opener::open(const QStringList& paths, Purpose purpose) {
     std::vector<Entry> entries;
@@ -142,8 +144,14 @@ void Opener::reportAndGoOn(const QString& message) {
     openNext();
 }
 
+bool Opener::mayReplace() {
+    if (m_document.isModified() && m_mayReplace && !m_mayReplace()) return false;
+    m_isEdited = false;
+    return true;
+}
+
 void Opener::openProject(const Entry& entry) {
-    if (m_document.isModified() && m_mayReplace && !m_mayReplace()) return openNext();
+    if (!mayReplace()) return openNext();
     if (entry.purpose != Purpose::Recover && m_mayOpen && !m_mayOpen(entry.path)) return openNext();
     m_jobs.start(
         spec(entry.path), [path = entry.path](const Task&) { return project::readProject(path); },
@@ -169,6 +177,8 @@ void Opener::readFiles(const Entry& entry, project::Project project) {
 }
 
 void Opener::show(const Entry& entry, LoadedFiles loaded) {
+    // Artists go on while files are read: what they did since they were asked is theirs to keep.
+    if (m_isEdited && !mayReplace()) return openNext();
     const project::ObjectNames names = namesIn(loaded);
     for (auto& [path, scan] : loaded.scans) m_paints.remember(path, std::move(scan));
     for (auto& [path, model] : loaded.models) m_meshes.remember(path, std::move(model));

@@ -35,7 +35,8 @@ public:
     void recover(const std::filesystem::path& kept, const std::filesystem::path& original);
     /// The sample that a new strip takes the place of, and that a new mesh wears.
     void setCurrentSample(int sample) { m_currentSample = sample; }
-    /// Asked before a project replaces a modified one; without a question it does.
+    /// Asked before a project replaces a modified one, and again when it was edited while the other was read;
+    /// without a question it does.
     void setReplaceQuestion(std::function<bool()> mayReplace) { m_mayReplace = std::move(mayReplace); }
     /// Asked when files of a project are missing; it may name others in their place, and says whether to open
     /// the project with what is still missing left out. Without a question it is not opened.
@@ -65,6 +66,7 @@ private:
     void open(const QStringList& paths, Purpose purpose);
     void enqueue(std::vector<Entry> entries);
     void openNext();
+    bool mayReplace();
     void openProject(const Entry& entry);
     void readFiles(const Entry& entry, project::Project project);
     void show(const Entry& entry, LoadedFiles loaded);
@@ -84,6 +86,7 @@ private:
     std::function<bool(const std::filesystem::path&)> m_mayOpen;
     int m_currentSample = 0;
     bool m_busy = false;
+    bool m_isEdited = false;  ///< the document, since the artist was asked
 };
 
 }  // namespace chiaro::app

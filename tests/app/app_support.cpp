@@ -5,6 +5,7 @@
 #include "core/base/random.h"
 
 #include <QtTest>
+#include <QtWidgets>
 
 namespace chiaro::test {
 
@@ -57,6 +58,14 @@ Watchdog::Watchdog() {
                      [this] { m_longest = std::max(m_longest, m_beat.restart()); });
     m_beat.start();
     m_heart.start();
+}
+
+void answerNext(QMessageBox::StandardButton answer, bool& asked) {
+    QTimer::singleShot(100, qApp, [answer, &asked] {
+        auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        asked = question != nullptr;
+        if (asked) question->button(answer)->click();
+    });
 }
 
 project::Project withoutCamera(project::Project project) {

@@ -12,6 +12,7 @@
 #include "tests/support/support.h"
 
 #include <QElapsedTimer>
+#include <QMessageBox>
 #include <QTimer>
 
 #include <filesystem>
@@ -55,6 +56,10 @@ private:
     QElapsedTimer m_beat;
     qint64 m_longest = 0;
 };
+
+/// Answers the next question that appears; asked tells whether one did. Of use where a call blocks until it
+/// is answered.
+void answerNext(QMessageBox::StandardButton answer, bool& asked);
 
 /// The project without its camera, which is no part of the history.
 project::Project withoutCamera(project::Project project);

@@ -4,6 +4,7 @@
 #include "app/docks/metric_graph_dock.h"
 #include "app/docks/sample_dock.h"
 #include "app/docks/view_planning_dock.h"
+#include "app/export_dialog.h"
 #include "app/heat_maps.h"
 #include "app/metric_tools.h"
 #include "app/picture_export.h"
@@ -296,6 +297,23 @@ private Q_SLOTS:
         const double difference = meanDifference(shown, picture);
         qInfo("mean difference %.3f of 255", difference);
         QVERIFY2(difference < 2, "the export shows something else than the viewport");
+    }
+
+    void exportingAPictureAsksBeforeItReplaces() {
+        writeFileAtomically(m_folder / "there.png", "mine");
+        app::PictureSettings suggested;
+        suggested.path = m_folder / "there.png";
+        app::ExportDialog dialog(suggested, nullptr);
+        dialog.show();
+        bool asked = false;
+        test::answerNext(QMessageBox::Cancel, asked);
+        dialog.accept();
+        QVERIFY(asked);
+        QCOMPARE(dialog.result(), 0);
+        test::answerNext(QMessageBox::Yes, asked);
+        dialog.accept();
+        QVERIFY(asked);
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
     }
 
     void whatTheViewportShowsIsMeasured() {

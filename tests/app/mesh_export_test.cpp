@@ -35,15 +35,6 @@ QAction* menuAction(QWidget& window, const QString& text) {
     return nullptr;
 }
 
-/// Answers the next question that appears; asked tells whether one did.
-void answerNext(QMessageBox::StandardButton answer, bool& asked) {
-    QTimer::singleShot(100, qApp, [answer, &asked] {
-        auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-        asked = question != nullptr;
-        if (asked) question->button(answer)->click();
-    });
-}
-
 }  // namespace
 
 class MeshExportTest : public QObject {
@@ -132,11 +123,11 @@ private Q_SLOTS:
         app::MeshExportDialog dialog({m_folder / "there.obj", {}}, nullptr);
         dialog.show();
         bool asked = false;
-        answerNext(QMessageBox::Cancel, asked);
+        test::answerNext(QMessageBox::Cancel, asked);
         dialog.accept();
         QVERIFY(asked);
         QCOMPARE(dialog.result(), 0);
-        answerNext(QMessageBox::Yes, asked);
+        test::answerNext(QMessageBox::Yes, asked);
         dialog.accept();
         QVERIFY(asked);
         QCOMPARE(dialog.result(), int(QDialog::Accepted));

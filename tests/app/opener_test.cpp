@@ -131,6 +131,38 @@ private Q_SLOTS:
         QCOMPARE(studio.document.project().levels.count, 5);
     }
 
+    void whatIsEditedWhileAProjectLoadsIsAskedAbout() {
+        Studio studio;
+        QVERIFY(studio.open({test::writeStrip(m_folder / "oil.png")}));
+        studio.document.save(m_folder / "study.chiaro");
+        int asked = 0;
+        bool mayReplace = false;
+        studio.opener.setReplaceQuestion([&] { return ++asked, mayReplace; });
+        synthesis::LevelParams levels = studio.document.project().levels;
+        const auto editWhileLoading = [&](int count) {
+            studio.opener.open({QString::fromStdString((m_folder / "study.chiaro").string())});
+            levels.count = count;
+            studio.document.editLevels(levels);
+            studio.document.finishEdit();
+            return studio.settle();
+        };
+        QVERIFY(editWhileLoading(7));
+        QCOMPARE(asked, 1);
+        QCOMPARE(studio.document.project().levels.count, 7);
+        QVERIFY(studio.document.isModified());
+        // Asked before it loads and once more for what came since; changes that the artist let go of once
+        // are not asked about again.
+        mayReplace = true;
+        QVERIFY(editWhileLoading(6));
+        QCOMPARE(asked, 3);
+        QCOMPARE(studio.document.project().levels.count, 4);
+        levels.count = 7;
+        studio.document.editLevels(levels);
+        QVERIFY(studio.open({m_folder / "study.chiaro"}));
+        QCOMPARE(asked, 4);
+        QVERIFY(!studio.document.isModified());
+    }
+
     void theBrokenFilesOfTheRealData() {
         if (!test::haveSharedData()) QSKIP("no real data beside the project");
         Studio studio;
