@@ -6,6 +6,7 @@
 #include "core/project/json_writer.h"
 #include "core/project/path_json.h"
 #include "core/project/render_method.h"
+#include "core/project/stage_json.h"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
@@ -19,11 +20,6 @@ namespace {
 
 constexpr std::uintmax_t largestFile = 64 << 20;
 
-template <class Params>
-Json jsonFromParams(const Params& params) {
-    return Json::parse(parametersToJson(params).dump());
-}
-
 Json jsonFromSample(const Sample& sample, const fs::path& folder) {
     Json json;
     json["name"] = sample.name;
@@ -33,12 +29,7 @@ Json jsonFromSample(const Sample& sample, const fs::path& folder) {
     json["gradient"] = jsonFromParams(sample.gradient);
     for (const glm::vec2& point : sample.gradient.curve.points)
         json["gradient"]["curve"].push_back(jsonFromVector(point));
-    if (!sample.recoloring) return json;
-    json["recoloring"]["space"] =
-        sample.recoloring->space == gradient::ColorPath::Space::Oklab ? "oklab" : "rgb";
-    for (const gradient::ColorStop& stop : sample.recoloring->stops)
-        json["recoloring"]["stops"].push_back(
-            {{"position", tidy(stop.position)}, {"color", jsonFromVector(stop.color)}});
+    if (sample.recoloring) json["recoloring"] = jsonFromColorPath(*sample.recoloring);
     return json;
 }
 
@@ -52,9 +43,7 @@ Json jsonFromObject(const ObjectSettings& object) {
     if (placement.position != unmoved.position) json["position"] = jsonFromVector(placement.position);
     if (placement.rotation != unmoved.rotation) json["rotation"] = jsonFromVector(placement.rotation);
     if (placement.scale != unmoved.scale) json["scale"] = jsonFromVector(placement.scale);
-    for (const PlacedView& view : object.views)
-        json["views"].push_back(
-            {{"direction", jsonFromVector(view.direction)}, {"up", jsonFromVector(view.up)}});
+    if (!object.views.empty()) json["views"] = jsonFromPlacedViews(object.views);
     if (object.transform == glm::mat4(1)) return json;
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row) json["transform"].push_back(tidy(object.transform[column][row]));
@@ -98,23 +87,6 @@ Json jsonFromCamera(const Project& project) {
     return json;
 }
 
-gradient::ColorPath readColorPath(const JsonReader& reader) {
-    gradient::ColorPath path;
-    const std::string space = reader.has("space") ? reader.text("space") : "rgb";
-    if (space != "rgb" && space != "oklab") throw reader.wrong("space", "\"rgb\" or \"oklab\"");
-    path.space = space == "oklab" ? gradient::ColorPath::Space::Oklab : gradient::ColorPath::Space::Rgb;
-    for (const JsonReader& stop : reader.children("stops")) {
-        gradient::ColorStop& added = path.stops.emplace_back();
-        stop.read("position", added.position, 0, 1);
-        stop.read("color", added.color);
-        added.color = glm::clamp(added.color, 0.0f, 1.0f);
-    }
-    if (path.stops.empty()) throw reader.wrong("stops", "at least one stop");
-    std::stable_sort(path.stops.begin(), path.stops.end(),
-                     [](const auto& a, const auto& b) { return a.position < b.position; });
-    return path;
-}
-
 Sample readSample(const JsonReader& reader, const fs::path& folder) {
     Sample sample;
     sample.name = reader.text("name");
@@ -136,7 +108,7 @@ Sample readSample(const JsonReader& reader, const fs::path& folder) {
             sample.gradient.curve.sampled(2);  // refuses points that make no monotone curve
         }
     }
-    if (reader.has("recoloring")) sample.recoloring = readColorPath(reader.child("recoloring"));
+    if (reader.has("recoloring")) sample.recoloring = colorPathFromJson(reader.child("recoloring"));
     return sample;
 }
 
@@ -157,14 +129,7 @@ ObjectSettings readObject(const JsonReader& reader, const Project& project) {
     reader.read("visible", object.visible);
     readPlacement(reader, object.placement);
     reader.read("transform", object.transform);
-    if (!reader.has("views")) return object;
-    for (const JsonReader& child : reader.children("views")) {
-        PlacedView& view = object.views.emplace_back();
-        child.read("direction", view.direction);
-        child.read("up", view.up);
-        if (glm::length(view.direction) == 0) throw child.wrong("direction", "a direction that is not zero");
-    }
-    if (object.views.size() > 64) throw reader.wrong("views", "at most 64 views");
+    if (reader.has("views")) object.views = placedViewsFromJson(reader, "views");
     return object;
 }
 
@@ -231,14 +196,19 @@ void readCamera(const JsonReader& reader, Project& project) {
     reader.read("radius", camera.radius, 1e-9, 1e9);
 }
 
-Project projectFromJson(const Json& json, const fs::path& path) {
-    const JsonReader reader(json, path.string());
+int versionIn(const JsonReader& reader) {
     int version = 0;
     reader.at("chiaro");
     reader.read("chiaro", version, 1, 1 << 30);
-    if (version > Project::version)
-        throw Error(path.string(), fmt::format("was written by a newer Chiaro (format {})", version),
-                    fmt::format("this one reads format {}", Project::version));
+    return version;
+}
+
+Error newerError(const fs::path& path, int version) {
+    return Error(path.string(), fmt::format("was written by a newer Chiaro (format {})", version),
+                 fmt::format("this one reads format {}", Project::version));
+}
+
+Project projectFromJson(const JsonReader& reader, const fs::path& path) {
     const fs::path folder = fs::absolute(path).parent_path();
     Project project;
     for (const JsonReader& sample : reader.children("samples"))
@@ -255,36 +225,60 @@ Project projectFromJson(const Json& json, const fs::path& path) {
     if (reader.has("animation")) project.animation = readAnimation(reader.child("animation"));
     if (reader.has("camera")) readCamera(reader.child("camera"), project);
     if (reader.has("method")) project.method = readMethod(reader);
-    if (reader.has("levels")) {
-        reader.child("levels").params(project.levels);
-        reader.child("levels").params(project.levels.quilt);
-    }
-    if (reader.has("view-aligned")) reader.child("view-aligned").params(project.viewAligned);
-    if (reader.has("image-based")) {
-        reader.child("image-based").params(project.imageBased);
-        reader.child("image-based").params(project.imageBased.quilt);
-        reader.child("image-based").params(project.coherence);
-    }
-    if (reader.has("view-dependent")) {
-        const JsonReader child = reader.child("view-dependent");
-        child.params(project.viewDependent);
-        child.params(project.views);
-        glm::vec3 up(project.views.up);
-        child.read("up", up);
-        if (glm::length(up) == 0) throw child.wrong("up", "a direction that is not zero");
-        project.views.up = glm::dvec3(up);
-    }
+    MethodParams params = MethodParams::of(project);
+    readMethodParams(reader, params);
+    params.applyTo(project);
     return project;
 }
 
 }  // namespace
 
-Project readProject(const fs::path& path) {
-    const Json json = readJson(path, largestFile, "choose a project that Chiaro saved");
-    return projectFromJson(json, path);
+MethodParams MethodParams::of(const Project& project) {
+    return {project.levels,    project.viewAligned,   project.imageBased,
+            project.coherence, project.viewDependent, project.views};
 }
 
-void writeProject(const fs::path& path, const Project& project) {
+void MethodParams::applyTo(Project& project) const {
+    project.levels = levels;
+    project.viewAligned = viewAligned;
+    project.imageBased = imageBased;
+    project.coherence = coherence;
+    project.viewDependent = viewDependent;
+    project.views = views;
+}
+
+ProjectFile readProjectFile(const fs::path& path) {
+    const Json json = readJson(path, largestFile, "choose a project that Chiaro saved");
+    const JsonReader reader(json, path.string());
+    const int version = versionIn(reader);
+    try {
+        return {projectFromJson(reader, path), version};
+    } catch (const Error&) {
+        if (version > Project::version) throw newerError(path, version);  // nothing is wrong with the file
+        throw;
+    }
+}
+
+Project readProject(const fs::path& path) {
+    ProjectFile file = readProjectFile(path);
+    if (file.isNewer()) throw newerError(path, file.version);
+    return std::move(file.project);
+}
+
+void refuseToReplaceNewer(const fs::path& path) {
+    int version = 0;
+    try {
+        const Json json = readJson(path, largestFile, {});
+        version = versionIn(JsonReader(json, path.string()));
+    } catch (const Error&) {
+        return;  // no project is there
+    }
+    if (version > Project::version)
+        throw Error(path.string(), fmt::format("was written by a newer Chiaro (format {})", version),
+                    "save under another name, so that what only the newer one knows is not lost");
+}
+
+std::string projectText(const fs::path& path, const Project& project) {
     const fs::path folder = fs::absolute(path).parent_path();
     Json json;
     json["chiaro"] = Project::version;
@@ -298,16 +292,12 @@ void writeProject(const fs::path& path, const Project& project) {
     if (project.animation != Animation{}) json["animation"] = jsonFromAnimation(project.animation);
     json["camera"] = jsonFromCamera(project);
     json["method"] = project.method;
-    json["levels"] = jsonFromParams(project.levels);
-    json["levels"].update(jsonFromParams(project.levels.quilt));
-    json["view-aligned"] = jsonFromParams(project.viewAligned);
-    json["image-based"] = jsonFromParams(project.imageBased);
-    json["image-based"].update(jsonFromParams(project.imageBased.quilt));
-    json["image-based"].update(jsonFromParams(project.coherence));
-    json["view-dependent"] = jsonFromParams(project.viewDependent);
-    json["view-dependent"].update(jsonFromParams(project.views));
-    json["view-dependent"]["up"] = jsonFromVector(glm::vec3(project.views.up));
-    writeFileAtomically(path, json.dump(2) + "\n");
+    json.update(jsonFromMethodParams(MethodParams::of(project)));
+    return json.dump(2) + "\n";
+}
+
+void writeProject(const fs::path& path, const Project& project) {
+    writeFileAtomically(path, projectText(path, project));
 }
 
 }  // namespace chiaro::project

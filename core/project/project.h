@@ -90,10 +90,38 @@ struct Project {
     friend bool operator==(const Project&, const Project&) = default;
 };
 
+/// How a project's methods lay paint on: the parameters of every stage after the gradient.
+struct MethodParams {
+    synthesis::LevelParams levels;
+    methods::ViewAlignedParams viewAligned;
+    methods::ImageBasedParams imageBased;
+    methods::CoherenceParams coherence;
+    methods::ViewDependentParams viewDependent;
+    views::ViewParams views;
+    friend bool operator==(const MethodParams&, const MethodParams&) = default;
+
+    static MethodParams of(const Project& project);
+    void applyTo(Project& project) const;
+};
+
+/// A project, and the format of the file that it was read from.
+struct ProjectFile {
+    Project project;
+    int version = Project::version;
+    /// The file may say more than the project holds: to write the project over it would lose that.
+    bool isNewer() const { return version > Project::version; }
+};
+/// As readProject(), but of a newer format it reads what this program knows.
+ProjectFile readProjectFile(const std::filesystem::path& path);
+/// Throws Error when a project of a newer format is there.
+void refuseToReplaceNewer(const std::filesystem::path& path);
+
 /// Reads a project; its relative paths are resolved against its folder. Throws Error naming the file and what
-/// in it is wrong.
+/// in it is wrong, and when its format is newer than this program's.
 Project readProject(const std::filesystem::path& path);
-/// Writes atomically, paths relative to the file's folder, keys in a fixed order. Throws Error; the old file
+/// What a project file says: paths relative to the file's folder, keys in a fixed order.
+std::string projectText(const std::filesystem::path& path, const Project& project);
+/// Writes it atomically. Throws Error; the old file
 /// is then intact.
 void writeProject(const std::filesystem::path& path, const Project& project);
 

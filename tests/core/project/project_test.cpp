@@ -141,6 +141,32 @@ TEST(Project, SaysWhatIsWrongWithAFile) {
     EXPECT_EQ(refusal(R"({"chiaro": 1, "samples": []})"), "accepted");
 }
 
+TEST(Project, OfANewerFormatIsReadAsFarAsItIsKnownAndNeverReplaced) {
+    const test::TemporaryFolder folder;
+    const auto file = folder / "a.chiaro";
+    writeFileAtomically(file, R"({"chiaro": 3, "samples": [], "method": "image-based", "brushes": [1, 2]})");
+    const ProjectFile read = readProjectFile(file);
+    EXPECT_TRUE(read.isNewer());
+    EXPECT_EQ(read.version, 3);
+    EXPECT_EQ(read.project.method, "image-based");
+    EXPECT_THROW(readProject(file), Error);
+    EXPECT_THROW(refuseToReplaceNewer(file), Error);
+    writeFileAtomically(file, R"({"chiaro": 3, "samples": {"by-name": {}}})");
+    try {
+        readProjectFile(file);
+        FAIL() << "it can't be read";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("newer Chiaro (format 3)"), std::string::npos)
+            << error.what();
+    }
+    writeFileAtomically(file, "no project");
+    EXPECT_NO_THROW(refuseToReplaceNewer(file));
+    EXPECT_NO_THROW(refuseToReplaceNewer(folder / "none.chiaro"));
+    writeProject(file, Project());
+    EXPECT_NO_THROW(refuseToReplaceNewer(file));
+    EXPECT_FALSE(readProjectFile(file).isNewer());
+}
+
 TEST(Project, AFailedSaveLeavesTheOldFile) {
     const test::TemporaryFolder folder;
     writeFileAtomically(folder / "file", "old");
