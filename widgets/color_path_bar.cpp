@@ -24,7 +24,8 @@ ColorPathBar::ColorPathBar(QWidget* parent) : QWidget(parent) {
     setToolTip(
         tr("Ctrl+click adds a stop, a drag moves it, a double click changes its colour, Delete removes it.\n"
            "Page Up and Page Down select a stop, Left and Right nudge it (Shift: more), Enter changes its "
-           "colour, Insert adds one."));
+           "colour, Insert adds one.\n"
+           "Ctrl+C and Ctrl+V copy and paste the stops as text, such as 0 #201040, 1 #fff0b0."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
@@ -141,6 +142,8 @@ int ColorPathBar::stopAt(QPointF position) const {
 
 void ColorPathBar::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || m_path.stops.empty()) return;
+    m_pressedPath = m_path;
+    m_pressedStop = m_selected;
     if (event->modifiers() & Qt::ControlModifier) {
         add(toPosition(event->position().x()));
     } else {
@@ -170,10 +173,28 @@ void ColorPathBar::mouseDoubleClickEvent(QMouseEvent* event) {
     Q_EMIT colorWanted(stop);
 }
 
+bool ColorPathBar::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        // Whatever else these keys are shortcuts of.
+        auto* key = static_cast<QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Copy) || key->matches(QKeySequence::Paste)) event->accept();
+    }
+    return QWidget::event(event);
+}
+
 void ColorPathBar::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Copy)) return Q_EMIT copyWanted();
+    if (event->matches(QKeySequence::Paste)) return Q_EMIT pasteWanted();
     const int last = int(m_path.stops.size()) - 1;
     const float step = event->modifiers() & Qt::ShiftModifier ? 10 * nudge : nudge;
     switch (event->key()) {
+        case Qt::Key_Escape:
+            if (!m_dragging) return QWidget::keyPressEvent(event);
+            m_dragging = false;
+            edit(m_pressedPath);
+            select(m_pressedStop);
+            Q_EMIT editFinished();
+            return;
         case Qt::Key_PageDown:
             return select(std::min(m_selected + 1, last));
         case Qt::Key_PageUp:

@@ -7,8 +7,8 @@
 namespace chiaro::widgets {
 
 /// A colour path as a bar with a handle under each stop. Ctrl+click or Insert adds a stop, a drag moves it
-/// (past others, if need be), a double click asks for its colour, Delete removes it; Page Up and Page Down
-/// select, Left and Right nudge.
+/// (past others, if need be; Escape takes it back), a double click asks for its colour, Delete removes it;
+/// Page Up and Page Down select, Left and Right nudge; the keys to copy and paste ask for that.
 ///
 /// Stops are kept in order of position; the last one can't be removed.
 class ColorPathBar : public QWidget {
@@ -46,8 +46,11 @@ Q_SIGNALS:
     void editFinished();
     void selectionChanged(int stop);
     void colorWanted(int stop);
+    void copyWanted();
+    void pasteWanted();
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -69,6 +72,8 @@ private:
     std::vector<glm::vec3> m_ownColors;
     int m_selected = -1;
     bool m_dragging = false;
+    gradient::ColorPath m_pressedPath;  ///< before the drag
+    int m_pressedStop = -1;
     bool m_nudged = false;
     double m_grip = 0;  ///< from the pointer to the handle it holds, px
 };

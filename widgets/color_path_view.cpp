@@ -1,7 +1,9 @@
 #include "widgets/color_path_view.h"
 
+#include "core/base/error.h"
 #include "widgets/color_path_bar.h"
 #include "widgets/color_presets.h"
+#include "widgets/eyedropper.h"
 #include "widgets/picture.h"
 #include "widgets/tool_button.h"
 #include "widgets/wheel_guard.h"
@@ -11,6 +13,8 @@
 namespace chiaro::widgets {
 
 namespace {
+
+constexpr int longestText = 20'000;
 
 QPixmap swatch(const QImage& colors, QSize size, double ratio) {
     QPixmap pixmap(size * ratio);
@@ -35,8 +39,9 @@ ColorPathView::ColorPathView(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
-    layout->addWidget(m_recolor);
+    layout->addWidget(makeHeader());
     layout->addWidget(m_bar);
+    layout->addWidget(m_note);
     m_tools = makeTools();
     layout->addWidget(m_tools);
     layout->addWidget(makePresets());
@@ -49,7 +54,37 @@ ColorPathView::ColorPathView(QWidget* parent)
     connect(m_bar, &ColorPathBar::editFinished, this, &ColorPathView::editFinished);
     connect(m_bar, &ColorPathBar::selectionChanged, this, &ColorPathView::showStop);
     connect(m_bar, &ColorPathBar::colorWanted, this, &ColorPathView::chooseColor);
+    connect(m_bar, &ColorPathBar::copyWanted, this, &ColorPathView::copy);
+    connect(m_bar, &ColorPathBar::pasteWanted, this, &ColorPathView::paste);
     setOwnColors({});
+}
+
+QWidget* ColorPathView::makeHeader() {
+    auto* header = new QWidget;
+    auto* copyButton =
+        makeToolButton("duplicate", tr("Copy colours"), tr("Copy the stops as text (Ctrl+C on the bar)"));
+    auto* pasteButton = makeToolButton(
+        "paste", tr("Paste colours"),
+        tr("Show the stops that were copied, here or from any text such as 0 #201040, 1 #fff0b0 (Ctrl+V on "
+           "the bar)"));
+    m_note = new QLabel;
+    m_note->setObjectName("paste-note");
+    m_note->setProperty("note", true);
+    m_note->setWordWrap(true);
+    m_note->hide();
+    m_header = new QHBoxLayout(header);
+    m_header->setContentsMargins(0, 0, 0, 0);
+    m_header->setSpacing(2);
+    m_header->addWidget(m_recolor, 1);
+    m_header->addWidget(copyButton);
+    m_header->addWidget(pasteButton);
+    connect(copyButton, &QToolButton::clicked, this, &ColorPathView::copy);
+    connect(pasteButton, &QToolButton::clicked, this, &ColorPathView::paste);
+    return header;
+}
+
+void ColorPathView::addTool(QWidget* tool) {
+    m_header->addWidget(tool);
 }
 
 QWidget* ColorPathView::makeTools() {
@@ -75,10 +110,17 @@ QWidget* ColorPathView::makeTools() {
     m_space->addItems({tr("RGB"), tr("Oklab")});
     WheelGuard::protect(m_space);
 
+    auto* pick = makeToolButton(
+        "eyedropper", tr("Pick colour"),
+        tr("Take the selected stop's colour from the strip's pictures or anywhere on the screen: click or "
+           "Enter picks, Escape doesn't"));
+    m_eyedropper = new Eyedropper(pick);
+
     auto* row = new QHBoxLayout(tools);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(2);
     row->addWidget(m_color);
+    row->addWidget(pick);
     row->addWidget(m_position, 1);
     row->addSpacing(4);
     for (QToolButton* button : {add, m_remove, turn, m_distribute}) row->addWidget(button);
@@ -86,6 +128,14 @@ QWidget* ColorPathView::makeTools() {
     row->addWidget(m_space, 1);
 
     connect(m_color, &QToolButton::clicked, this, &ColorPathView::chooseColor);
+    connect(pick, &QToolButton::clicked, m_eyedropper, &Eyedropper::start);
+    connect(m_eyedropper, &Eyedropper::hovered, this, &ColorPathView::showPatch);
+    connect(m_eyedropper, &Eyedropper::cancelled, this, &ColorPathView::showStop);
+    connect(m_eyedropper, &Eyedropper::picked, this, [this](glm::vec3 color) {
+        m_bar->recolorSelected(color);
+        showStop();
+        Q_EMIT editFinished();
+    });
     connect(m_position, &QDoubleSpinBox::valueChanged, this,
             [this](double position) { m_bar->moveSelected(float(position)); });
     connect(m_position, &QDoubleSpinBox::editingFinished, this, &ColorPathView::editFinished);
@@ -140,6 +190,8 @@ void ColorPathView::setOwnColors(const gradient::Gradient& colors) {
 }
 
 void ColorPathView::startAfresh() {
+    m_eyedropper->cancel();
+    say({});
     m_last = {};
     m_bar->select(-1);
     setRecoloring(std::nullopt);
@@ -162,10 +214,40 @@ void ColorPathView::distribute() {
     editOnce(path);
 }
 
+gradient::ColorPath ColorPathView::shownPath() const {
+    if (m_path) return *m_path;
+    return m_own.empty() ? gradient::ColorPath{} : pathThrough(m_own);
+}
+
+void ColorPathView::copy() const {
+    const gradient::ColorPath path = shownPath();
+    if (path.stops.empty()) return;
+    QGuiApplication::clipboard()->setText(QString::fromStdString(gradient::colorPathText(path)));
+}
+
+void ColorPathView::paste() {
+    const QString text = QGuiApplication::clipboard()->text().simplified();
+    try {
+        if (text.isEmpty())
+            throw Error("the clipboard", "has no text", "copy stops such as 0 #201040, 1 #fff0b0 first");
+        const auto space = m_path ? m_path->space : gradient::ColorPath::Space::Rgb;
+        editOnce(gradient::parseColorPath(text.left(longestText).toStdString(), space));
+        say({});
+    } catch (const Error& error) {
+        say(QString::fromStdString(error.what()));
+    }
+}
+
+void ColorPathView::say(const QString& note) {
+    m_note->setText(note);
+    m_note->setVisible(!note.isEmpty());
+}
+
 void ColorPathView::edit(const std::optional<gradient::ColorPath>& path) {
     if (path == m_path) return;
     m_path = path;
     if (path) m_last = *path;
+    say({});
     showPath();
     Q_EMIT recoloringEdited(path);
 }
@@ -213,9 +295,15 @@ void ColorPathView::showStop() {
     m_remove->setEnabled(chosen && m_path->stops.size() > 1);
     const QSignalBlocker quiet(m_position);
     m_position->setValue(chosen ? double(m_path->stops[std::size_t(stop)].position) : 0);
-    if (!chosen) return m_color->setIcon(icon("color"));
+    if (chosen)
+        showPatch(m_path->stops[std::size_t(stop)].color);
+    else
+        m_color->setIcon(icon("color"));
+}
+
+void ColorPathView::showPatch(glm::vec3 color) {
     QPixmap patch(16, 16);
-    patch.fill(toColor(m_path->stops[std::size_t(stop)].color));
+    patch.fill(toColor(color));
     m_color->setIcon(patch);
 }
 

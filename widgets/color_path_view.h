@@ -10,11 +10,14 @@ class QCheckBox;
 class QColorDialog;
 class QComboBox;
 class QDoubleSpinBox;
+class QHBoxLayout;
+class QLabel;
 class QToolButton;
 
 namespace chiaro::widgets {
 
 class ColorPathBar;
+class Eyedropper;
 
 /// The colours that a sample shows: its own, or a path of the artist's stops with the gestures of Blender's
 /// colour ramp (§3.2, recolouring), or one of the presets.
@@ -32,21 +35,33 @@ public:
     /// Before another sample is shown: nothing that was chosen for the last one is kept.
     void startAfresh();
     ColorPathBar* bar() const { return m_bar; }
+    Eyedropper* eyedropper() const { return m_eyedropper; }
+    /// One more button in the row of those that act on the whole path.
+    void addTool(QWidget* tool);
+    /// What is shown: the artist's path, else one close to the sample's own colours.
+    gradient::ColorPath shownPath() const;
 
 public Q_SLOTS:
     void flip();
     void distribute();
+    /// The stops as text, such as "0 #201040, 1 #fff0b0".
+    void copy() const;
+    /// Shows the stops that the clipboard's text tells, or says what is wrong with it.
+    void paste();
 
 Q_SIGNALS:
     void recoloringEdited(const std::optional<chiaro::gradient::ColorPath>& path);
     void editFinished();
 
 private:
+    QWidget* makeHeader();
     QWidget* makePresets();
     QWidget* makeTools();
     void edit(const std::optional<gradient::ColorPath>& path);
     void editOnce(const std::optional<gradient::ColorPath>& path);
     void chooseColor();
+    void showPatch(glm::vec3 color);
+    void say(const QString& note);
     void showPath();
     void showStop();
 
@@ -55,7 +70,10 @@ private:
     gradient::Gradient m_own;
     QCheckBox* m_recolor = nullptr;
     ColorPathBar* m_bar = nullptr;
+    QHBoxLayout* m_header = nullptr;
+    QLabel* m_note = nullptr;  ///< what was wrong with the last paste
     QWidget* m_tools = nullptr;
+    Eyedropper* m_eyedropper = nullptr;
     QToolButton* m_color = nullptr;
     QToolButton* m_remove = nullptr;
     QToolButton* m_distribute = nullptr;

@@ -57,7 +57,9 @@ CropCanvas::CropCanvas(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Crop"));
     setToolTip(
         tr("Drag the corners, edges or the whole to cut the strip out of the scan.\n"
-           "Keys 1 to 4 select a corner, 0 the whole; arrow keys nudge it by a pixel, with Shift by ten."));
+           "Keys 1 to 4 select a corner, 5 to 8 an edge, 0 the whole; arrow keys nudge it by a pixel, with "
+           "Shift "
+           "by ten."));
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
@@ -184,6 +186,17 @@ void CropCanvas::mouseReleaseEvent(QMouseEvent* event) {
     Q_EMIT editFinished();
 }
 
+void CropCanvas::takeBack() {
+    m_dragging = false;
+    updateCursor(m_selected);
+    if (m_crop != m_pressedCrop) {
+        m_crop = m_pressedCrop;
+        update();
+        Q_EMIT cropEdited(m_crop);
+    }
+    Q_EMIT editFinished();
+}
+
 void CropCanvas::leaveEvent(QEvent* event) {
     m_hovered = {};
     update();
@@ -195,7 +208,7 @@ bool CropCanvas::event(QEvent* event) {
         // Digits select parts here, whatever else they are shortcuts of.
         const auto* key = static_cast<QKeyEvent*>(event);
         if (!m_scanSize.isEmpty() && key->modifiers() == Qt::NoModifier && key->key() >= Qt::Key_0 &&
-            key->key() <= Qt::Key_4)
+            key->key() <= Qt::Key_8)
             event->accept();
     }
     return QWidget::event(event);
@@ -203,9 +216,15 @@ bool CropCanvas::event(QEvent* event) {
 
 void CropCanvas::keyPressEvent(QKeyEvent* event) {
     if (m_scanSize.isEmpty()) return QWidget::keyPressEvent(event);
-    if (event->key() >= Qt::Key_0 && event->key() <= Qt::Key_4) {
+    if (event->key() == Qt::Key_Escape && m_dragging) return takeBack();
+    if (event->key() >= Qt::Key_0 && event->key() <= Qt::Key_8) {
         const int number = event->key() - Qt::Key_0;
-        m_selected = number == 0 ? Part{Part::Kind::Whole, 0} : Part{Part::Kind::Corner, number - 1};
+        if (number == 0)
+            m_selected = {Part::Kind::Whole, 0};
+        else if (number <= 4)
+            m_selected = {Part::Kind::Corner, number - 1};
+        else
+            m_selected = {Part::Kind::Edge, number - 5};
         update();
         return;
     }

@@ -17,8 +17,8 @@ using CropQuad = std::array<glm::vec2, 4>;
 bool isUsableCrop(const CropQuad& quad);
 
 /// A scan and the quadrilateral that is cut from it. Corners, edges and the whole are dragged; the arrow keys
-/// nudge what is selected (keys 1 to 4 a corner, 0 the whole) by a scan pixel, with Shift by ten. A drag
-/// stops where the crop would stop being usable.
+/// nudge what is selected (keys 1 to 4 a corner, 5 to 8 an edge, 0 the whole) by a scan pixel, with Shift by
+/// ten. A drag stops where the crop would stop being usable; Escape takes it back.
 class CropCanvas : public QWidget {
     Q_OBJECT
 
@@ -68,6 +68,7 @@ private:
     QRectF pictureArea() const;
     Part partAt(QPointF position) const;
     void move(const CropQuad& from, Part part, glm::vec2 by);
+    void takeBack();
     void paintQuad(QPainter& painter) const;
     void paintEnds(QPainter& painter, const QPolygonF& outline) const;
     void updateCursor(Part part);

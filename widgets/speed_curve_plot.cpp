@@ -134,6 +134,7 @@ void SpeedCurvePlot::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || m_sorted.empty()) return;
     select(pointAt(event->position()));
     if (m_selected < 0) return;
+    m_pressedCurve = m_curve;
     m_dragging = true;
     m_grip = toWidget(m_curve.points[std::size_t(m_selected)]) - event->position();
 }
@@ -152,6 +153,7 @@ void SpeedCurvePlot::mouseDoubleClickEvent(QMouseEvent* event) {
     // A second quick press on a point takes hold of it again.
     if (event->button() != Qt::LeftButton || m_sorted.empty() || pointAt(event->position()) >= 0)
         return mousePressEvent(event);
+    m_pressedCurve = m_curve;
     add(toPlace(event->position()));
     m_dragging = m_selected >= 0;
     m_grip = {};
@@ -162,6 +164,13 @@ void SpeedCurvePlot::keyPressEvent(QKeyEvent* event) {
     const float step = event->modifiers() & Qt::ShiftModifier ? 10 * nudge : nudge;
     glm::vec2 by(0);
     switch (event->key()) {
+        case Qt::Key_Escape:
+            if (!m_dragging) return QWidget::keyPressEvent(event);
+            m_dragging = false;
+            if (m_curve.points.size() != m_pressedCurve.points.size()) select(-1);
+            edit(m_pressedCurve);
+            Q_EMIT editFinished();
+            return;
         case Qt::Key_PageDown:
             return select(std::min(m_selected + 1, last));
         case Qt::Key_PageUp:

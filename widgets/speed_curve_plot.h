@@ -11,7 +11,8 @@ namespace chiaro::widgets {
 /// sorted gradient, which is painted behind. Below lie the column averages and, right under them, G(u(x)).
 ///
 /// Points are dragged, never past their neighbours, so that the curve stays monotone; a double click adds
-/// one, Delete removes the selected; Page Up and Page Down select, the arrow keys nudge.
+/// one, Delete removes the selected; Page Up and Page Down select, the arrow keys nudge; Escape takes a drag
+/// back.
 class SpeedCurvePlot : public QWidget {
     Q_OBJECT
 
@@ -70,6 +71,7 @@ private:
     QImage m_sortedBar;
     int m_selected = -1;
     bool m_dragging = false;
+    gradient::SpeedCurve m_pressedCurve;  ///< before the drag
     bool m_nudged = false;
     QPointF m_grip;  ///< from the pointer to the point it holds
 };

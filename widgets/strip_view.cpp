@@ -65,6 +65,27 @@ int StripView::rowHeight(int row) const {
     return m_rows[std::size_t(row)].height;
 }
 
+std::optional<glm::vec3> StripView::colorAt(QPointF position) const {
+    int top = 0;
+    for (const Row& row : m_rows) {
+        const QRectF area = pictureArea(row, top);
+        top += row.height + gap;
+        if (!area.contains(position) || row.picture.isNull()) continue;
+        const auto pixel = [](double place, double length, int count) {
+            return std::clamp(int(place / length * count), 0, count - 1);
+        };
+        return fromColor(
+            row.picture.pixelColor(pixel(position.x() - area.left(), area.width(), row.picture.width()),
+                                   pixel(position.y() - area.top(), area.height(), row.picture.height())));
+    }
+    return std::nullopt;
+}
+
+QRect StripView::pictureArea(const Row& row, int top) const {
+    const int captionWidth = fontMetrics().horizontalAdvance(m_rows[RecoloredRow].caption) + 12;
+    return {captionWidth, top, width() - captionWidth, row.height};
+}
+
 bool StripView::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         auto* help = static_cast<QHelpEvent*>(event);
@@ -90,10 +111,9 @@ void StripView::paintEvent(QPaintEvent*) {
 }
 
 void StripView::paintRow(QPainter& painter, const Row& row, int top) const {
-    const int captionWidth = fontMetrics().horizontalAdvance(m_rows[RecoloredRow].caption) + 12;
-    const QRect area(captionWidth, top, width() - captionWidth, row.height);
+    const QRect area = pictureArea(row, top);
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(QRect(0, top, captionWidth, row.height), Qt::AlignVCenter | Qt::AlignLeft, row.caption);
+    painter.drawText(QRect(0, top, area.left(), row.height), Qt::AlignVCenter | Qt::AlignLeft, row.caption);
     if (row.picture.isNull()) {
         painter.fillRect(area, palette().color(QPalette::Base));
         return;

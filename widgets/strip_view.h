@@ -6,6 +6,8 @@
 #include <QImage>
 #include <QWidget>
 
+#include <optional>
+
 namespace chiaro::widgets {
 
 /// A strip taken apart, in pictures small enough to redraw while the artist drags.
@@ -31,6 +33,10 @@ public:
     /// The gradient to recolour with, of any length; empty for the strip's own.
     void setRecoloring(const gradient::Gradient& gradient);
 
+    /// The colour, RGB in [0, 1], of the picture that is shown at a place on this widget; nothing beside
+    /// them.
+    std::optional<glm::vec3> colorAt(QPointF position) const;
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {160, sizeHint().height()}; }
 
@@ -46,6 +52,7 @@ private:
     };
     bool event(QEvent* event) override;
     int rowHeight(int row) const;
+    QRect pictureArea(const Row& row, int top) const;
     void paintRow(QPainter& painter, const Row& row, int top) const;
 
     std::shared_ptr<const StripPictures> m_pictures;
