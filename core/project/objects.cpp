@@ -96,7 +96,35 @@ fs::path& pathOf(Project& project, const MissingFile& file) {
     return file.kind == MissingFile::Kind::Scan ? project.samples[index].scan : project.meshes[index].path;
 }
 
+/// How many names, from the file's own upwards, two paths have in common.
+int commonEnd(const fs::path& a, const fs::path& b) {
+    const std::vector<fs::path> as(a.begin(), a.end()), bs(b.begin(), b.end());
+    const auto [end, ignored] = std::mismatch(as.rbegin(), as.rend(), bs.rbegin(), bs.rend());
+    return int(end - as.rbegin());
+}
+
 }  // namespace
+
+void relinkFrom(Project& project, const fs::path& folder, const Task& task) {
+    constexpr int mostEntries = 200'000;
+    const std::vector<MissingFile> missing = missingFiles(project);
+    std::vector<fs::path> found(missing.size());
+    std::error_code error;
+    int entries = 0;
+    const auto options = fs::directory_options::skip_permission_denied;
+    for (fs::recursive_directory_iterator entry(folder, options, error), end;
+         !error && entry != end && entries < mostEntries; entry.increment(error), ++entries) {
+        task.checkpoint();
+        for (std::size_t i = 0; i < missing.size(); ++i) {
+            const fs::path& wanted = missing[i].path;
+            std::error_code ignored;
+            if (entry->path().filename() != wanted.filename() || !entry->is_regular_file(ignored)) continue;
+            if (commonEnd(entry->path(), wanted) > commonEnd(found[i], wanted)) found[i] = entry->path();
+        }
+    }
+    for (std::size_t i = 0; i < missing.size(); ++i)
+        if (!found[i].empty()) pathOf(project, missing[i]) = found[i];
+}
 
 void relink(Project& project, const MissingFile& missing, const fs::path& found) {
     pathOf(project, missing) = found;

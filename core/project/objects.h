@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/task.h"
 #include "core/project/project.h"
 
 #include <unordered_map>
@@ -45,5 +46,8 @@ std::vector<MissingFile> missingFiles(const Project& project);
 /// Takes another file in its place. Of other missing files, those with the same name as before and beside
 /// the new one, or as far below it as they were, are found as well.
 void relink(Project& project, const MissingFile& missing, const std::filesystem::path& found);
+/// Finds missing files by their names in a folder or below; of several of a name that whose folders are
+/// called most like those where it was. Looks at 200,000 entries at most. Throws Cancelled.
+void relinkFrom(Project& project, const std::filesystem::path& folder, const Task& task = {});
 
 }  // namespace chiaro::project

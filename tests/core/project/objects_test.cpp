@@ -138,5 +138,22 @@ TEST(Missing, FilesAreFoundBesideTheOneThatTheArtistNames) {
     EXPECT_EQ(missingFiles(project)[0].path, folder / "old/gone.png");
 }
 
+TEST(Missing, FilesAreFoundAnywhereInAFolder) {
+    const test::TemporaryFolder folder;
+    for (const char* file :
+         {"new/a/oil.png", "new/scans/2024/oil.png", "new/deep/er/head.obj", "new/x/head.obj/y"})
+        writeFileAtomically(folder / file, "x");
+    Project project;
+    for (const char* scan : {"old/scans/2024/oil.png", "old/gone.png"})
+        project.samples.push_back(
+            {.name = "a", .scan = folder / scan, .strip = {}, .gradient = {}, .recoloring = {}});
+    project.meshes = {{folder / "old/meshes/head.obj"}};
+    relinkFrom(project, folder / "new");
+    EXPECT_EQ(project.samples[0].scan, folder / "new/scans/2024/oil.png") << "the one that lies as it did";
+    EXPECT_EQ(project.meshes[0].path, folder / "new/deep/er/head.obj") << "no folder is a mesh";
+    ASSERT_EQ(missingFiles(project).size(), 1u);
+    EXPECT_NO_THROW(relinkFrom(project, folder / "nowhere"));
+}
+
 }  // namespace
 }  // namespace chiaro::project
