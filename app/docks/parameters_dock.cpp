@@ -1,6 +1,8 @@
 #include "app/docks/parameters_dock.h"
 
 #include "app/document.h"
+#include "app/preset_menu.h"
+#include "core/project/render_method.h"
 #include "widgets/parameter_form.h"
 
 #include <QtWidgets>
@@ -46,12 +48,35 @@ ParametersDock::ParametersDock(Document& document)
       m_layout(new QVBoxLayout(static_cast<QScrollArea*>(widget())->widget())) {
     m_layout->setContentsMargins(10, 8, 10, 2);
     m_layout->setSpacing(6);
+    m_layout->addWidget(makeHeader());
     addImageBased();
     addViewAligned();
     addViewDependent();
     m_layout->addStretch(1);
     connect(&document, &Document::changed, this, &ParametersDock::applyChange);
     applyChange({});
+}
+
+QWidget* ParametersDock::makeHeader() {
+    using project::PresetKind;
+    m_method = new QLabel;
+    m_method->setProperty("note", true);
+    m_presets = new PresetMenu(
+        PresetKind::Method, PresetMenu::standardFolder(PresetKind::Method),
+        [this] { return project::MethodPreset::of(m_document.project()); },
+        [this](const project::Preset& preset) {
+            return std::get<project::MethodPreset>(preset).method == m_document.project().method;
+        });
+    connect(m_presets, &PresetMenu::failed, this, &ParametersDock::failed);
+    connect(m_presets, &PresetMenu::chosen, this, [this](const project::Preset& preset) {
+        m_document.applyPreset(std::get<project::MethodPreset>(preset));
+    });
+    auto* header = new QWidget;
+    auto* row = new QHBoxLayout(header);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_method, 1);
+    row->addWidget(m_presets->makeButton());
+    return header;
 }
 
 void ParametersDock::addImageBased() {
@@ -130,6 +155,7 @@ void ParametersDock::addSection(const Heading& heading, Whole project::Project::
 
 void ParametersDock::applyChange(Change change) {
     using Kind = Change::Kind;
+    m_method->setText(QString::fromStdString(project::renderMethod(m_document.project().method).label));
     for (const Section& section : m_sections) {
         if (change.kind == Kind::Everything || change.kind == section.heading.kind) section.show();
         if (change.kind == Kind::Everything || change.kind == Kind::Method)

@@ -10,11 +10,13 @@ namespace chiaro::widgets {
 class ParameterForm;
 }
 
+class QLabel;
 class QVBoxLayout;
 
 namespace chiaro::app {
 
 class Document;
+class PresetMenu;
 
 /// The parameters of the method that is shown: sections, each a form over one struct of the project.
 class ParametersDock : public Dock {
@@ -22,6 +24,7 @@ class ParametersDock : public Dock {
 
 public:
     explicit ParametersDock(Document& document);
+    PresetMenu* presets() const { return m_presets; }
 
 private:
     /// What a section says of itself.
@@ -41,6 +44,7 @@ private:
     template <class Params, class Whole, class Part>
     void addSection(const Heading& heading, Whole project::Project::*whole, Part part,
                     void (Document::*edit)(const Whole&));
+    QWidget* makeHeader();
     void addImageBased();
     void addViewAligned();
     void addViewDependent();
@@ -48,6 +52,8 @@ private:
 
     Document& m_document;
     QVBoxLayout* m_layout = nullptr;
+    QLabel* m_method = nullptr;
+    PresetMenu* m_presets = nullptr;
     std::vector<Section> m_sections;
 };
 

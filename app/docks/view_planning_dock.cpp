@@ -3,6 +3,7 @@
 #include "app/document.h"
 #include "app/jobs/job_runner.h"
 #include "app/meshes.h"
+#include "app/preset_menu.h"
 #include "core/project/pipeline.h"
 #include "widgets/coverage_bar.h"
 #include "widgets/parameter_form.h"
@@ -82,7 +83,25 @@ QWidget* ViewPlanningDock::makeTools() {
     row->addLayout(m_switches);
     row->addStretch(1);
     row->addWidget(m_status);
+    row->addWidget(makePresets());
     return tools;
+}
+
+QToolButton* ViewPlanningDock::makePresets() {
+    using project::PresetKind;
+    m_presets = new PresetMenu(
+        PresetKind::ViewPlan, PresetMenu::standardFolder(PresetKind::ViewPlan),
+        [this]() -> std::optional<project::Preset> {
+            if (m_object < 0) return std::nullopt;
+            return project::ViewPlanPreset{m_document.project().views, m_document.placedViews(m_object)};
+        });
+    connect(m_presets, &PresetMenu::failed, this, &ViewPlanningDock::failed);
+    connect(m_presets, &PresetMenu::chosen, this, [this](const project::Preset& preset) {
+        if (m_object < 0) return;
+        m_sphere->setSelected(-1);
+        m_document.applyPreset(m_object, std::get<project::ViewPlanPreset>(preset));
+    });
+    return m_presets->makeButton();
 }
 
 void ViewPlanningDock::addSwitches(const QList<QAction*>& actions) {

@@ -24,6 +24,7 @@ namespace chiaro::app {
 
 class Document;
 class Meshes;
+class PresetMenu;
 
 /// The views from which an object is painted (§4.3): where they are, what each paints, and what they cover.
 /// A planned view that is moved or locked becomes the artist's; planning keeps those and goes on around them
@@ -45,6 +46,7 @@ public:
     /// Buttons beside the others, for what the viewport shows of the views.
     void addSwitches(const QList<QAction*>& actions);
 
+    PresetMenu* presets() const { return m_presets; }
     widgets::ViewSphere* sphere() const { return m_sphere; }
     widgets::CoverageBar* coverageBar() const { return m_coverage; }
 
@@ -60,6 +62,7 @@ Q_SIGNALS:
 private:
     QWidget* makeTools();
     QWidget* makeThumbnails();
+    QToolButton* makePresets();
     void connectParts();
     void applyChange(Change change);
     void showObjects();
@@ -88,6 +91,7 @@ private:
     QToolButton* m_lock = nullptr;
     QToolButton* m_remove = nullptr;
     QToolButton* m_replan = nullptr;
+    PresetMenu* m_presets = nullptr;
     QHBoxLayout* m_switches = nullptr;
     QLabel* m_status = nullptr;
     QLabel* m_details = nullptr;

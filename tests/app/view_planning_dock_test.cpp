@@ -1,5 +1,6 @@
 #include "app/docks/view_planning_dock.h"
 
+#include "app/preset_menu.h"
 #include "tests/app/app_support.h"
 #include "widgets/coverage_bar.h"
 #include "widgets/view_sphere.h"
@@ -62,6 +63,32 @@ class ViewPlanningDockTest : public QObject {
     test::TemporaryFolder m_folder;
 
 private Q_SLOTS:
+    void aPlanIsKeptAsAPreset() {
+        QStandardPaths::setTestModeEnabled(true);
+        Planning planning(m_folder);
+        QVERIFY(planning.isReady);
+        app::PresetMenu& presets = *planning.dock->presets();
+        std::filesystem::remove_all(presets.folder());
+        planning.dock->addFromCamera();
+        const std::vector<project::PlacedView> placed = planning.placed();
+        QCOMPARE(placed.size(), 1U);
+        presets.save("front");
+        planning.undo().undo();
+        planning.studio.document.editViews(views::ViewParams());
+        planning.studio.document.finishEdit();
+        const int steps = planning.undo().count();
+        Q_EMIT presets.aboutToShow();
+        QVERIFY(presets.actions().front()->text() == "front");
+        presets.actions().front()->trigger();
+        QCOMPARE(planning.undo().count(), steps + 1);
+        QCOMPARE(planning.placed(), placed);
+        QCOMPARE(planning.studio.document.project().views.count, 4);
+        QVERIFY(planning.settled());
+        planning.undo().undo();
+        QVERIFY(planning.placed().empty());
+        std::filesystem::remove_all(presets.folder());
+    }
+
     void withoutAMeshThereIsNothingToPlan() {
         Studio studio;
         app::ViewPlanningDock dock(studio.document, studio.jobs, studio.memo, studio.meshes,

@@ -2,6 +2,9 @@
 
 #include "widgets/color_path_bar.h"
 #include "widgets/color_presets.h"
+#include "widgets/eyedropper.h"
+#include "widgets/picture.h"
+#include "widgets/strip_view.h"
 
 #include <QtTest>
 #include <QtWidgets>
@@ -47,6 +50,18 @@ struct Shown {
         QTest::mouseRelease(&bar(), Qt::LeftButton, {}, end.toPoint());
     }
 };
+
+/// Presses and lets go at a place on the screen, as whoever has grabbed the mouse hears of it.
+void pointAt(QWidget& grabber, QPoint global, Qt::MouseButton button = Qt::LeftButton) {
+    const QPointF local = grabber.mapFromGlobal(QPointF(global));
+    for (const QEvent::Type type :
+         {QEvent::MouseMove, QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+        const bool isMove = type == QEvent::MouseMove;
+        QMouseEvent event(type, local, QPointF(global), isMove ? Qt::NoButton : button,
+                          type == QEvent::MouseButtonPress ? button : Qt::NoButton, Qt::NoModifier);
+        QApplication::sendEvent(&grabber, &event);
+    }
+}
 
 }  // namespace
 
@@ -177,6 +192,137 @@ private Q_SLOTS:
         auto* space = shown.view.findChild<QComboBox*>("space");
         QTest::keyClick(space, Qt::Key_Down);
         QCOMPARE(shown.path->space, ColorPath::Space::Oklab);
+    }
+
+    void stopsAreCopiedAsTextAndPastedFromAny() {
+        Shown shown(threeStops);
+        shown.bar().setFocus();
+        QTest::keyClick(&shown.bar(), Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QGuiApplication::clipboard()->text(), QString("0 #000000, 0.5 #ff0000, 1 #ffffff"));
+        QGuiApplication::clipboard()->setText("1 #fff0b0,\n  0 #201040\n");
+        QTest::keyClick(&shown.bar(), Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(shown.path->stops.size(), 2U);
+        QCOMPARE(shown.path->stops[0].position, 0.0F);
+        QCOMPARE(shown.steps, 1);
+        QTest::mouseClick(&shown.button("duplicate"), Qt::LeftButton);
+        QCOMPARE(QGuiApplication::clipboard()->text(), QString("0 #201040, 1 #fff0b0"));
+    }
+
+    void aPasteThatIsNoPathSaysWhyAndChangesNothing() {
+        Shown shown(threeStops);
+        auto* note = shown.view.findChild<QLabel*>("paste-note");
+        for (const char* text : {"", "hello", "0 #12", "2 #ffffff", "0 red, 1 blue"}) {
+            QGuiApplication::clipboard()->setText(text);
+            shown.view.paste();
+            QCOMPARE(shown.path, std::optional(threeStops));
+            QVERIFY(note->isVisible());
+            QVERIFY2(note->text().contains("#"), qPrintable(note->text()));
+        }
+        QCOMPARE(shown.steps, 0);
+        shown.dragStop(1, 0.8F);
+        QVERIFY(!note->isVisible());
+    }
+
+    void pastingRecoloursASampleThatShowsItsOwnColours() {
+        Shown shown(std::nullopt);
+        shown.view.copy();
+        QVERIFY(QGuiApplication::clipboard()->text().startsWith("0 #000000"));
+        QGuiApplication::clipboard()->setText("0 #ff0000, 1 #00ff00");
+        shown.view.paste();
+        QVERIFY(shown.path.has_value());
+        QCOMPARE(shown.path->stops[1].color, glm::vec3(0, 1, 0));
+    }
+
+    void escapeTakesADragBack() {
+        Shown shown(threeStops);
+        shown.bar().setFocus();
+        const QPointF from = shown.bar().handle(1);
+        QTest::mousePress(&shown.bar(), Qt::LeftButton, {}, from.toPoint());
+        QTest::mouseMove(&shown.bar(), (from + QPointF(60, 0)).toPoint());
+        QVERIFY(shown.path != std::optional(threeStops));
+        QTest::keyClick(&shown.bar(), Qt::Key_Escape);
+        QCOMPARE(shown.path, std::optional(threeStops));
+        QTest::mouseMove(&shown.bar(), (from + QPointF(90, 0)).toPoint());
+        QTest::mouseRelease(&shown.bar(), Qt::LeftButton, {}, (from + QPointF(90, 0)).toPoint());
+        QCOMPARE(shown.path, std::optional(threeStops));
+    }
+
+    void theEyedropperTakesColoursFromTheScreen() {
+        Shown shown(threeStops);
+        QWidget ground;
+        ground.setStyleSheet("background: #3264c8;");
+        ground.setGeometry(600, 300, 120, 120);
+        ground.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&ground));
+        shown.bar().select(1);
+        QToolButton& button = shown.button("eyedropper");
+        const QPoint place = ground.mapToGlobal(QPoint(60, 60));
+        // What is on the screen reaches it a little later.
+        const QColor wanted(0x32, 0x64, 0xc8);
+        QTRY_COMPARE(widgets::toColor(widgets::Eyedropper::colorAt(place).value_or(glm::vec3(0))), wanted);
+        QTest::mouseClick(&button, Qt::LeftButton);
+        QVERIFY(shown.view.eyedropper()->isActive());
+        QVERIFY(QWidget::mouseGrabber() == &button);
+        pointAt(button, place);
+        QVERIFY(!shown.view.eyedropper()->isActive());
+        QCOMPARE(widgets::toColor(shown.path->stops[1].color), wanted);
+        QCOMPARE(shown.steps, 1);
+        QVERIFY(QWidget::mouseGrabber() == nullptr);
+    }
+
+    void theEyedropperTakesColoursFromAStripAsItIs() {
+        Shown shown(threeStops);
+        auto pictures = std::make_shared<widgets::StripPictures>();
+        pictures->strip = ColorImage(2, 1, glm::vec3(0.2F, 0.4F, 0.6F));
+        pictures->strip(1, 0) = glm::vec3(1, 0.6F, 0.2F);
+        pictures->texture = ColorImage(2, 1);
+        pictures->averages = pictures->gradient = {glm::vec3(0), glm::vec3(1)};
+        widgets::StripView strip;
+        strip.setPictures(pictures);
+        strip.setGeometry(500, 300, 300, 180);
+        strip.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&strip));
+        QVERIFY(!strip.colorAt({2, 10}).has_value());
+        QCOMPARE(strip.colorAt({290, 10}), std::optional(glm::vec3(1, 0.6F, 0.2F)));
+        shown.bar().select(1);
+        QTest::mouseClick(&shown.button("eyedropper"), Qt::LeftButton);
+        pointAt(shown.button("eyedropper"), strip.mapToGlobal(QPoint(290, 10)));
+        QCOMPARE(shown.path->stops[1].color, glm::vec3(1, 0.6F, 0.2F));
+    }
+
+    void escapeEndsTheEyedropperWithoutAColour() {
+        Shown shown(threeStops);
+        shown.bar().select(1);
+        QToolButton& button = shown.button("eyedropper");
+        for (const bool byKey : {true, false}) {
+            QTest::mouseClick(&button, Qt::LeftButton);
+            QVERIFY(shown.view.eyedropper()->isActive());
+            if (byKey)
+                QTest::keyClick(&button, Qt::Key_Escape);
+            else
+                pointAt(button, {5, 5}, Qt::RightButton);
+            QVERIFY(!shown.view.eyedropper()->isActive());
+            QVERIFY(QWidget::keyboardGrabber() == nullptr);
+        }
+        QCOMPARE(shown.path, std::optional(threeStops));
+        QCOMPARE(shown.steps, 0);
+    }
+
+    void theKeyboardAlonePicks() {
+        Shown shown(threeStops);
+        shown.bar().select(1);
+        QToolButton& button = shown.button("eyedropper");
+        button.setFocus();
+        QCursor::setPos(shown.view.mapToGlobal(QPoint(2, 2)));
+        QTest::keyClick(&button, Qt::Key_Space);
+        QVERIFY(shown.view.eyedropper()->isActive());
+        const QPoint before = QCursor::pos();
+        QTest::keyClick(&button, Qt::Key_Right, Qt::ShiftModifier);
+        QCOMPARE(QCursor::pos() - before, QPoint(10, 0));
+        const auto under = widgets::Eyedropper::colorAt(QCursor::pos());
+        QTest::keyClick(&button, Qt::Key_Return);
+        QVERIFY(!shown.view.eyedropper()->isActive());
+        QCOMPARE(std::optional(shown.path->stops[1].color), under);
     }
 
     void aPathThroughColoursIsAsCloseAsItSays() {

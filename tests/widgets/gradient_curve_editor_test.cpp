@@ -137,6 +137,24 @@ private Q_SLOTS:
         QCOMPARE(shown.params.curve, drawn);
     }
 
+    void escapeTakesADragBack() {
+        Shown shown(false);
+        shown.doubleClick({0.5F, 0.7F});
+        const SpeedCurve before = shown.params.curve;
+        const glm::vec2 place(0.6F, 0.9F);
+        shown.plot().setFocus();
+        QTest::mousePress(&shown.plot(), Qt::LeftButton, {},
+                          shown.plot().toWidget(before.points[1]).toPoint());
+        QTest::mouseMove(&shown.plot(), shown.plot().toWidget(place).toPoint());
+        QVERIFY(shown.params.curve != before);
+        QTest::keyClick(&shown.plot(), Qt::Key_Escape);
+        QCOMPARE(shown.params.curve, before);
+        QTest::mouseMove(&shown.plot(), shown.plot().toWidget({0.7F, 0.9F}).toPoint());
+        QTest::mouseRelease(&shown.plot(), Qt::LeftButton, {}, shown.plot().toWidget(place).toPoint());
+        QCOMPARE(shown.params.curve, before);
+        QCOMPARE(shown.steps, 2);
+    }
+
     void numbersMoveTheSelectedPoint() {
         Shown shown(false);
         shown.params.curve = {{{0, 0}, {0.4F, 0.3F}, {1, 1}}};

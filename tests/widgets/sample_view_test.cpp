@@ -93,6 +93,35 @@ private Q_SLOTS:
         QCOMPARE(shown.steps, 2);
     }
 
+    void keysReachEveryEdgeAndTheWhole() {
+        Shown shown;
+        shown.canvas().setCrop({glm::vec2{0.25F, 0.25F}, {0.75F, 0.25F}, {0.75F, 0.75F}, {0.25F, 0.75F}});
+        QTest::keyClick(&shown.canvas(), Qt::Key_6);  // the right one
+        QTest::keyClick(&shown.canvas(), Qt::Key_Left, Qt::ShiftModifier);
+        QVERIFY(near(shown.params.crop[1], {0.75F - 10.0F / 800, 0.25F}, 1e-6F));
+        QVERIFY(near(shown.params.crop[2], {0.75F - 10.0F / 800, 0.75F}, 1e-6F));
+        QVERIFY(near(shown.params.crop[0], {0.25F, 0.25F}, 1e-6F));
+        QTest::keyClick(&shown.canvas(), Qt::Key_0);
+        QTest::keyClick(&shown.canvas(), Qt::Key_Up);
+        QVERIFY(near(shown.params.crop[3], {0.25F, 0.75F - 1.0F / 400}, 1e-6F));
+        QCOMPARE(shown.steps, 2);
+    }
+
+    void escapeTakesADragBack() {
+        Shown shown;
+        shown.canvas().setFocus();
+        const QPointF from = shown.canvas().toWidget({1, 1}), to = shown.canvas().toWidget({0.7F, 0.8F});
+        QTest::mousePress(&shown.canvas(), Qt::LeftButton, {}, from.toPoint());
+        QTest::mouseMove(&shown.canvas(), to.toPoint());
+        QVERIFY(shown.params.crop != wholeScan);
+        QTest::keyClick(&shown.canvas(), Qt::Key_Escape);
+        QCOMPARE(shown.params.crop, wholeScan);
+        QTest::mouseMove(&shown.canvas(), from.toPoint());
+        QTest::mouseRelease(&shown.canvas(), Qt::LeftButton, {}, to.toPoint());
+        QCOMPARE(shown.params.crop, wholeScan);
+        QCOMPARE(shown.steps, 1);
+    }
+
     void buttonsTurnAndMirror() {
         Shown shown;
         shown.view.findChild<QToolButton*>("turn-right")->click();
