@@ -1,5 +1,7 @@
 #include "app/docks/dock.h"
 
+#include "app/dropped_files.h"
+
 #include <QtWidgets>
 
 namespace chiaro::app {
@@ -22,6 +24,15 @@ bool Dock::eventFilter(QObject* watched, QEvent* event) {
         widget()->setMinimumWidth(static_cast<QWidget*>(watched)->minimumSizeHint().width() + bar);
     }
     return QDockWidget::eventFilter(watched, event);
+}
+
+void Dock::dragEnterEvent(QDragEnterEvent* event) {
+    if (!localFiles(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void Dock::dropEvent(QDropEvent* event) {
+    event->acceptProposedAction();
+    Q_EMIT filesDropped(localFiles(*event->mimeData()));
 }
 
 }  // namespace chiaro::app

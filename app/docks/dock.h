@@ -11,8 +11,18 @@ class Dock : public QDockWidget {
 public:
     Dock(const QString& name, const QString& title, QWidget* content);
 
+Q_SIGNALS:
+    /// Something that the artist asked for could not be done: a sentence.
+    void failed(const QString& message);
+    /// Of a dock that takes files.
+    void filesDropped(const QStringList& paths);
+
 protected:
+    /// Files may be dropped on it, floating or not.
+    void takeFiles() { setAcceptDrops(true); }
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 };
 
 }  // namespace chiaro::app

@@ -40,6 +40,7 @@ SampleDock::SampleDock(Document& document, Paints& paints)
     connect(&paints, &Paints::scanChanged, this, &SampleDock::showScan);
     connect(&paints, &Paints::separationChanged, this, &SampleDock::showStrip);
     connect(&paints, &Paints::gradientChanged, this, &SampleDock::showRecoloring);
+    takeFiles();
     applyChange({});
 }
 
@@ -53,6 +54,8 @@ QWidget* SampleDock::makeList() {
     m_list->setFixedHeight(96);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setTextElideMode(Qt::ElideMiddle);
+    m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    m_list->setToolTip(tr("Double-click or F2 renames a sample; scans can be dropped here"));
     auto* add = widgets::makeToolButton("add", tr("Add sample"), tr("Open a strip as a new sample"));
     m_remove = widgets::makeToolButton("remove", tr("Remove sample"), tr("Remove the selected sample"));
     m_wear = widgets::makeToolButton("paint", tr("Paint everything"), tr("Put this sample on all objects"));
@@ -68,6 +71,7 @@ QWidget* SampleDock::makeList() {
     layout->addLayout(buttons);
 
     connect(m_list, &QListWidget::currentRowChanged, this, &SampleDock::selectSample);
+    connect(m_list, &QListWidget::itemChanged, this, &SampleDock::rename);
     connect(add, &QToolButton::clicked, this, &SampleDock::addWanted);
     connect(m_remove, &QToolButton::clicked, this, [this] { m_document.removeSample(m_current); });
     connect(m_wear, &QToolButton::clicked, this, [this] { m_document.wearEverywhere(m_current); });
@@ -98,8 +102,10 @@ void SampleDock::applyChange(Change change) {
 void SampleDock::showList() {
     const QSignalBlocker quiet(m_list);
     m_list->clear();
-    for (const project::Sample& sample : m_document.project().samples)
-        m_list->addItem(QString::fromStdString(sample.name));
+    for (const project::Sample& sample : m_document.project().samples) {
+        auto* item = new QListWidgetItem(QString::fromStdString(sample.name), m_list);
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
+    }
     for (int sample = 0; sample < m_list->count(); ++sample) showSwatch(sample);
 }
 
@@ -146,7 +152,23 @@ void SampleDock::showSwatch(int sample) {
     }
     QIcon icon(swatch);
     icon.addPixmap(swatch, QIcon::Selected);  // else the selection would tint the colours
+    const QSignalBlocker quiet(m_list);
     item->setIcon(icon);
+}
+
+void SampleDock::rename(QListWidgetItem* item) {
+    const int sample = m_list->row(item);
+    const QString name = item->text().trimmed();
+    // Queued: the list is made anew, and its editor is still open.
+    QMetaObject::invokeMethod(
+        this,
+        [this, sample, name] {
+            if (sample < int(m_document.project().samples.size()) && !name.isEmpty())
+                m_document.renameSample(sample, name.toStdString());
+            showList();
+            showCurrent();
+        },
+        Qt::QueuedConnection);
 }
 
 }  // namespace chiaro::app

@@ -4,6 +4,7 @@
 #include "app/docks/dock.h"
 
 class QListWidget;
+class QListWidgetItem;
 class QToolButton;
 
 namespace chiaro::widgets {
@@ -42,6 +43,7 @@ private:
     void showRecoloring(int sample);
     void showCurrent();
     void showSwatch(int sample);
+    void rename(QListWidgetItem* item);
 
     Document& m_document;
     Paints& m_paints;

@@ -3,7 +3,6 @@
 #include "app/docks/light_panel.h"
 #include "app/docks/object_panel.h"
 #include "app/document.h"
-#include "app/dropped_files.h"
 #include "app/meshes.h"
 #include "app/scene_model.h"
 #include "widgets/parameter_form.h"
@@ -42,7 +41,7 @@ SceneDock::SceneDock(Document& document, Meshes& meshes)
     m_pages->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     layout->addWidget(m_pages);
     layout->addWidget(makeOcclusion());
-    setAcceptDrops(true);
+    takeFiles();
     connect(&document, &Document::changed, this, &SceneDock::applyChange);
     connect(&meshes, &Meshes::sceneChanged, this, &SceneDock::showCurrent);
     applyChange({});
@@ -262,15 +261,6 @@ bool SceneDock::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_list && event->type() == QEvent::KeyPress)
         return isListKey(*static_cast<QKeyEvent*>(event));
     return Dock::eventFilter(watched, event);
-}
-
-void SceneDock::dragEnterEvent(QDragEnterEvent* event) {
-    if (!localFiles(*event->mimeData()).isEmpty()) event->acceptProposedAction();
-}
-
-void SceneDock::dropEvent(QDropEvent* event) {
-    event->acceptProposedAction();
-    Q_EMIT filesDropped(localFiles(*event->mimeData()));
 }
 
 }  // namespace chiaro::app

@@ -45,14 +45,11 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void addMeshWanted();
-    void filesDropped(const QStringList& paths);
     /// The light that drags in the viewport turn.
     void lightSelected(int light);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
-    void dragEnterEvent(QDragEnterEvent* event) override;
-    void dropEvent(QDropEvent* event) override;
 
 private:
     QWidget* makeList();

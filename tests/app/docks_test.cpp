@@ -1,6 +1,8 @@
 #include "app/docks/gradient_dock.h"
 #include "app/docks/parameters_dock.h"
 #include "app/docks/sample_dock.h"
+#include "app/preset_menu.h"
+#include "core/base/atomic_file.h"
 #include "tests/app/app_support.h"
 #include "widgets/color_path_bar.h"
 #include "widgets/color_path_view.h"
@@ -42,6 +44,14 @@ struct Docks {
     }
     QUndoStack& undo() { return studio.document.undoStack(); }
 };
+
+/// The menu's entry, as it is when the menu opens.
+QAction* action(QMenu& menu, const QString& text) {
+    Q_EMIT menu.aboutToShow();
+    for (QAction* one : menu.actions())
+        if (one->text() == text) return one;
+    return nullptr;
+}
 
 }  // namespace
 
@@ -108,6 +118,134 @@ private Q_SLOTS:
         QVERIFY(!docks.current().recoloring.has_value());
         QCOMPARE(list->item(0)->icon().pixmap(72, 18).toImage(), before);
         QVERIFY(!docks.gradient->findChild<QCheckBox*>("recolour")->isChecked());
+    }
+
+    void samplesAreRenamedInTheList() {
+        Docks docks;
+        QVERIFY(docks.studio.open(
+            {test::writeStrip(m_folder / "one.png"), test::writeStrip(m_folder / "two.png")}));
+        auto* list = docks.sample->findChild<QListWidget*>("samples");
+        docks.sample->selectSample(1);
+        const project::Project before = docks.studio.document.project();
+        list->item(1)->setText(" chalk ");
+        QTRY_COMPARE(docks.studio.document.project().samples[1].name, std::string("chalk"));
+        QTRY_COMPARE(list->item(1)->text(), QString("chalk"));
+        QCOMPARE(docks.sample->currentSample(), 1);
+        list->item(1)->setText("");
+        QTRY_COMPARE(list->item(1)->text(), QString("chalk"));
+        docks.undo().undo();
+        QCOMPARE(docks.studio.document.project(), before);
+        QCOMPARE(list->item(1)->text(), QString("two"));
+    }
+
+    void scansAreDroppedOnTheSamples() {
+        Docks docks;
+        QSignalSpy dropped(docks.sample, &app::Dock::filesDropped);
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile("/scans/oil.png"), QUrl("https://example.org/a.png")});
+        QDragEnterEvent enter(QPoint(20, 40), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(docks.sample, &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent event(QPointF(20, 40), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(docks.sample, &event);
+        QCOMPARE(dropped[0][0].toStringList(), QStringList{"/scans/oil.png"});
+    }
+
+    void gradientsAreKeptAsPresets() {
+        QStandardPaths::setTestModeEnabled(true);
+        Docks docks;
+        QVERIFY(docks.studio.open({test::writeStrip(m_folder / "one.png")}));
+        app::PresetMenu& presets = *docks.gradient->presets();
+        std::filesystem::remove_all(presets.folder());
+        docks.gradient->findChild<QToolButton*>("preset-3")->click();
+        const auto kept = docks.current().recoloring;
+        presets.save("Blue & deep");
+        docks.gradient->findChild<QToolButton*>("preset-1")->click();
+        const int steps = docks.undo().count();
+        action(presets, "Blue && deep")->trigger();
+        QCOMPARE(docks.current().recoloring, kept);
+        QCOMPARE(docks.undo().count(), steps + 1);
+        docks.undo().undo();
+        QVERIFY(docks.current().recoloring != kept);
+        presets.rename("Blue & deep", "Night");
+        QVERIFY(action(presets, "Night") != nullptr);
+        presets.remove("Night");
+        QVERIFY(action(presets, "Night") == nullptr);
+    }
+
+    void aBrokenPresetSaysWhatIsWrong() {
+        QStandardPaths::setTestModeEnabled(true);
+        Docks docks;
+        QVERIFY(docks.studio.open({test::writeStrip(m_folder / "one.png")}));
+        app::PresetMenu& presets = *docks.gradient->presets();
+        std::filesystem::remove_all(presets.folder());
+        writeFileAtomically(presets.folder() / "torn.json", "{\"chiaro-preset\": 1, ");
+        QSignalSpy failed(docks.gradient, &app::Dock::failed);
+        const project::Project before = docks.studio.document.project();
+        QVERIFY(action(presets, "torn")->toolTip().contains("torn.json: is not JSON"));
+        action(presets, "torn")->trigger();
+        presets.save("../outside");
+        presets.rename("torn", "");
+        presets.remove("nothing");
+        QCOMPARE(failed.count(), 4);
+        for (const auto& message : failed)
+            QVERIFY2(message[0].toString().contains(';'), qPrintable(message[0].toString()));
+        QCOMPARE(docks.studio.document.project(), before);
+        std::filesystem::remove_all(presets.folder());
+    }
+
+    void presetsOfParametersAreThoseOfTheMethod() {
+        QStandardPaths::setTestModeEnabled(true);
+        Docks docks;
+        app::PresetMenu& presets = *docks.parameters->presets();
+        std::filesystem::remove_all(presets.folder());
+        app::Document& document = docks.studio.document;
+        document.editMethod("image-based");
+        methods::ImageBasedParams params = document.project().imageBased;
+        params.window = 9;
+        document.editImageBased(params);
+        document.finishEdit();
+        presets.save("wide");
+        document.editImageBased({});
+        document.editMethod("view-aligned");
+        QVERIFY(action(presets, "wide") == nullptr);
+        document.editMethod("image-based");
+        action(presets, "wide")->trigger();
+        QCOMPARE(document.project().imageBased.window, 9);
+        document.undoStack().undo();
+        QCOMPARE(document.project().imageBased, methods::ImageBasedParams());
+        std::filesystem::remove_all(presets.folder());
+    }
+
+    void addMoveDeleteOfAStopAndAPointGivesBackTheProject() {
+        Docks docks;
+        QVERIFY(docks.studio.open({test::writeStrip(m_folder / "one.png")}));
+        docks.gradient->findChild<QToolButton*>("preset-3")->click();
+        gradient::GradientParams params = docks.current().gradient;
+        params.matchSpeed = false;
+        docks.studio.document.editGradient(0, params);
+        docks.studio.document.finishEdit();
+        const project::Project before = docks.studio.document.project();
+        widgets::ColorPathBar& bar = *docks.gradient->colorView()->bar();
+        QTest::mouseClick(&bar, Qt::LeftButton, Qt::ControlModifier, {int(bar.toWidget(0.6F)), 10});
+        QTest::keyClick(&bar, Qt::Key_Right);
+        QVERIFY(docks.studio.document.project() != before);
+        QTest::keyClick(&bar, Qt::Key_Delete);
+        QCOMPARE(docks.studio.document.project(), before);
+        widgets::SpeedCurvePlot& plot = *docks.gradient->curveEditor()->plot();
+        QTest::keyClick(&plot, Qt::Key_Insert);
+        QTest::keyClick(&plot, Qt::Key_Up);
+        QVERIFY(docks.studio.document.project() != before);
+        QTest::keyClick(&plot, Qt::Key_Delete);
+        QCOMPARE(docks.studio.document.project(), before);
+    }
+
+    void fitIntoAColumnOf340Pixels() {
+        Docks docks;
+        QVERIFY(docks.studio.open({test::writeStrip(m_folder / "one.png")}));
+        for (QDockWidget* dock :
+             std::initializer_list<QDockWidget*>{docks.sample, docks.gradient, docks.parameters})
+            QVERIFY2(dock->minimumSizeHint().width() <= 340, qPrintable(dock->objectName()));
     }
 
     void parametersReachTheProjectAndComeBackWithUndo() {
