@@ -23,6 +23,7 @@ void Document::replace(project::Project project, const std::filesystem::path& pa
     m_project = std::move(project);
     m_project.objects = project::allObjects(m_project, names);
     m_path = path;
+    m_isReadOnly = false;
     m_editing = false;
     m_undo.clear();
     m_undo.setClean();
@@ -36,11 +37,18 @@ void Document::recover(project::Project project, const std::filesystem::path& pa
     m_undo.resetClean();
 }
 
+void Document::setReadOnly() {
+    m_isReadOnly = true;
+    Q_EMIT pathChanged();
+}
+
 void Document::save(const std::filesystem::path& path) {
+    project::refuseToReplaceNewer(path);
     project::removeLeftovers(path);
     project::keepBackup(path);
     project::writeProject(path, m_project);
     m_path = path;
+    m_isReadOnly = false;
     m_undo.setClean();
     Q_EMIT pathChanged();
 }
@@ -127,6 +135,36 @@ void Document::editLight(int light, glm::vec3 vector) {
 void Document::editLights(const std::vector<scene::Light>& lights, const QString& text) {
     edit(
         {Change::Kind::Lights}, text, [](auto& project) -> auto& { return project.lights; }, lights);
+}
+
+void Document::editTogether(const QString& text, const std::function<void()>& edits) {
+    finishEdit();
+    m_undo.beginMacro(text);
+    edits();
+    m_undo.endMacro();
+    finishEdit();
+}
+
+void Document::applyPreset(const project::MethodPreset& preset) {
+    project::MethodParams params = project::MethodParams::of(m_project);
+    preset.applyTo(params);
+    if (params == project::MethodParams::of(m_project)) return;
+    editTogether(tr("Apply Preset"), [&] {
+        editLevels(params.levels);
+        editViewAligned(params.viewAligned);
+        editImageBased(params.imageBased);
+        editCoherence(params.coherence);
+        editViewDependent(params.viewDependent);
+        editViews(params.views);
+    });
+}
+
+void Document::applyPreset(int object, const project::ViewPlanPreset& preset) {
+    if (preset.params == m_project.views && preset.placed == placedViews(object)) return;
+    editTogether(tr("Apply Preset"), [&] {
+        editViews(preset.params);
+        editPlacedViews(object, tr("Place Views"), preset.placed);
+    });
 }
 
 void Document::editAnimation(const project::Animation& animation, const QString& text) {
@@ -278,6 +316,12 @@ void Document::removeSample(int sample) {
     for (project::ObjectSettings& object : next.objects)
         object.sample = object.sample == sample ? 0 : object.sample - (object.sample > sample ? 1 : 0);
     editContents(Change::Kind::Samples, tr("Remove Sample"), next);
+}
+
+void Document::renameSample(int sample, const std::string& name) {
+    Contents next = contents();
+    next.samples[std::size_t(sample)].name = name;
+    editContents(Change::Kind::Samples, tr("Rename Sample"), next);
 }
 
 void Document::wearEverywhere(int sample) {

@@ -2,11 +2,13 @@
 
 #include "app/change.h"
 #include "core/project/objects.h"
+#include "core/project/presets.h"
 
 #include <QObject>
 #include <QUndoStack>
 
 #include <filesystem>
+#include <functional>
 
 namespace chiaro::app {
 
@@ -28,14 +30,20 @@ public:
     /// "oil study" of oil study.chiaro; "Untitled" without a path.
     QString name() const;
 
+    /// Of a project whose file says more than this program knows: it is saved elsewhere only.
+    bool isReadOnly() const { return m_isReadOnly; }
+
     /// Another project, with a history of its own. `names` are those of the objects in its mesh files: every
     /// object of the scene gets settings, in the scene's order.
     void replace(project::Project project, const std::filesystem::path& path,
                  const project::ObjectNames& names);
+    /// To be called right after the project was replaced.
+    void setReadOnly();
     /// A project that was recovered after a crash: as replace(), but modified from the start.
     void recover(project::Project project, const std::filesystem::path& path,
                  const project::ObjectNames& names);
-    /// Keeps what the file was as a backup. Throws Error; the document then stays modified.
+    /// Keeps what the file was as a backup. Throws Error, as when a project of a newer format is there; the
+    /// document then stays modified.
     void save(const std::filesystem::path& path);
 
     void editStrip(int sample, const sample::StripParams& params);
@@ -54,6 +62,10 @@ public:
     void editLight(int light, glm::vec3 vector);
     /// Of the lights that there are, or with `text` for another number of them.
     void editLights(const std::vector<scene::Light>& lights, const QString& text);
+    /// All that a preset says, in one step.
+    void applyPreset(const project::MethodPreset& preset);
+    /// To an object of the scene.
+    void applyPreset(int object, const project::ViewPlanPreset& preset);
     void editAnimation(const project::Animation& animation, const QString& text);
 
     /// Settings of the same objects of the scene, in its order. Names stay unique: one that is taken gets a
@@ -77,6 +89,7 @@ public:
     /// Adds a sample and puts it on the objects that wear `instead`, or on all when there was none. Returns
     /// its index.
     int addSample(const project::Sample& sample, int instead);
+    void renameSample(int sample, const std::string& name);
     /// Objects that wore it wear the first that is left.
     void removeSample(int sample);
     /// Puts the sample on all objects.
@@ -114,6 +127,8 @@ private:
     Contents contents() const;
     void editContents(Change::Kind kind, const QString& text, const Contents& contents);
 
+    /// Edits that are one step.
+    void editTogether(const QString& text, const std::function<void()>& edits);
     void editPlacedViews(int object, const QString& text, std::vector<project::PlacedView> views);
 
     template <class Value, class Member>
@@ -124,6 +139,7 @@ private:
     QUndoStack m_undo;
     int m_session = 0;
     bool m_editing = false;
+    bool m_isReadOnly = false;
 };
 
 }  // namespace chiaro::app

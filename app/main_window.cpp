@@ -22,7 +22,9 @@
 #include "app/menus/view_menu.h"
 #include "app/method_switch.h"
 #include "app/metric_tools.h"
+#include "app/project_collector.h"
 #include "app/project_files.h"
+#include "app/project_pictures.h"
 #include "app/safekeeping.h"
 #include "app/view_overlays.h"
 #include "app/viewport_link.h"
@@ -62,6 +64,8 @@ MainWindow::MainWindow()
     makeToolBar();
     makeStatusBar();
     m_files = new ProjectFiles(m_document, m_opener, *this);
+    m_collector = new ProjectCollector(m_document, m_jobs, *this);
+    new ProjectPictures(m_document, m_jobs, *m_viewport, this);
     m_exporter =
         new Exporter(m_document, m_jobs, m_paints, m_meshes, m_objectTextures, m_playback, *m_viewport, this);
     makeMenus();
@@ -198,7 +202,7 @@ void MainWindow::makeMenus() {
         m_objectTextures.retry();
     });
     const std::initializer_list<QMenu*> menus{
-        new FileMenu(*m_files, *m_exporter, *this),
+        new FileMenu(m_document, *m_files, *m_collector, *m_exporter, *this),
         new EditMenu(m_document.undoStack(), *this),
         view,
         sample,
@@ -210,6 +214,9 @@ void MainWindow::makeMenus() {
 
 void MainWindow::connectParts() {
     connect(m_files, &ProjectFiles::failed, this, &MainWindow::showError);
+    connect(m_collector, &ProjectCollector::collected, this, &MainWindow::showNote);
+    connect(m_files, &ProjectFiles::noted, this, &MainWindow::showNote);
+    for (Dock* dock : findChildren<Dock*>()) connect(dock, &Dock::failed, this, &MainWindow::showError);
     connect(m_exporter, &Exporter::exported, this, &MainWindow::showNote);
     connect(&m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
     connect(&m_document, &Document::pathChanged, this, &MainWindow::showTitle);
@@ -224,6 +231,7 @@ void MainWindow::connectParts() {
     connect(m_sceneDock, &SceneDock::lightSelected, m_viewport, &widgets::Viewport::setTurnedLight);
     connect(m_sampleDock, &SampleDock::currentSampleChanged, m_gradientDock, &GradientDock::setSample);
     connect(m_sampleDock, &SampleDock::currentSampleChanged, &m_opener, &Opener::setCurrentSample);
+    connect(m_sampleDock, &SampleDock::filesDropped, this, &MainWindow::open);
     connect(m_sampleDock, &SampleDock::addWanted, m_files, &ProjectFiles::openStrip);
     connect(m_viewport, &widgets::Viewport::filesDropped, this, &MainWindow::open);
     connect(m_viewport, &widgets::Viewport::frameDrawn, this, [this](double milliseconds) {
@@ -245,7 +253,9 @@ void MainWindow::showNote(const QString& message) {
 }
 
 void MainWindow::showTitle() {
-    setWindowTitle(tr("%1[*] — Chiaro").arg(m_document.name()));
+    const QString name =
+        m_document.isReadOnly() ? tr("%1 (read-only)").arg(m_document.name()) : m_document.name();
+    setWindowTitle(tr("%1[*] — Chiaro").arg(name));
     setWindowModified(m_document.isModified());
 }
 

@@ -28,6 +28,7 @@ class JobsDock;
 class MethodSwitch;
 class MetricTools;
 class ParametersDock;
+class ProjectCollector;
 class ProjectFiles;
 class Safekeeping;
 class SampleDock;
@@ -120,6 +121,7 @@ private:
     JobsDock* m_jobsDock = nullptr;
     ViewOverlays* m_viewOverlays = nullptr;
     ProjectFiles* m_files = nullptr;
+    ProjectCollector* m_collector = nullptr;
     Exporter* m_exporter = nullptr;
     Safekeeping* m_safekeeping = nullptr;
     QLabel* m_frameTime = nullptr;

@@ -22,6 +22,7 @@ struct LoadedFiles {
     std::map<std::filesystem::path, LoadedModel> models;
     std::vector<std::string> warnings;
     bool isRelinked = false;  ///< its files are not those that it was saved with
+    int version = project::Project::version;
 };
 
 namespace {
@@ -154,11 +155,12 @@ void Opener::openProject(const Entry& entry) {
     if (!mayReplace()) return openNext();
     if (entry.purpose != Purpose::Recover && m_mayOpen && !m_mayOpen(entry.path)) return openNext();
     m_jobs.start(
-        spec(entry.path), [path = entry.path](const Task&) { return project::readProject(path); },
-        [this, entry](project::Project project) { readFiles(entry, std::move(project)); });
+        spec(entry.path), [path = entry.path](const Task&) { return project::readProjectFile(path); },
+        [this, entry](project::ProjectFile file) { readFiles(entry, std::move(file)); });
 }
 
-void Opener::readFiles(const Entry& entry, project::Project project) {
+void Opener::readFiles(const Entry& entry, project::ProjectFile file) {
+    project::Project& project = file.project;
     const std::vector<project::MissingFile> missing = project::missingFiles(project);
     const project::Project saved = project;
     if (!missing.empty() && !m_findMissing) {
@@ -170,8 +172,9 @@ void Opener::readFiles(const Entry& entry, project::Project project) {
     const bool isRelinked = project != saved;
     m_jobs.start(
         spec(entry.path), [project = std::move(project)](const Task& task) { return readAll(project, task); },
-        [this, entry, isRelinked](LoadedFiles loaded) {
+        [this, entry, isRelinked, version = file.version](LoadedFiles loaded) {
             loaded.isRelinked = isRelinked;
+            loaded.version = version;
             show(entry, std::move(loaded));
         });
 }
@@ -189,6 +192,17 @@ void Opener::show(const Entry& entry, LoadedFiles loaded) {
         m_document.recover(std::move(loaded.project), place, names);
     else
         m_document.replace(std::move(loaded.project), place, names);
+    if (loaded.version > project::Project::version) {
+        m_document.setReadOnly();
+        loaded.warnings.insert(
+            loaded.warnings.begin(),
+            tr("%1 was written by a newer Chiaro (format %2, this one writes %3) and is "
+               "open read-only; Save As makes a copy without what only the newer one knows.")
+                .arg(fileName(path))
+                .arg(loaded.version)
+                .arg(project::Project::version)
+                .toStdString());
+    }
     Q_EMIT projectOpened(QString::fromStdString(path.string()));
     note(loaded.warnings);
     openNext();

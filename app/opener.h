@@ -17,7 +17,8 @@ class Paints;
 struct JobSpec;
 struct LoadedFiles;
 
-/// Brings files into the document: a project replaces it, a strip becomes a new sample, a mesh replaces the
+/// Brings files into the document: a project replaces it (read-only when its format is newer
+/// than this program's), a strip becomes a new sample, a mesh replaces the
 /// meshes or joins them. Files are read and checked in the background first; when one can't be used the
 /// document stays as it is and the job runner tells why.
 class Opener : public QObject {
@@ -68,7 +69,7 @@ private:
     void openNext();
     bool mayReplace();
     void openProject(const Entry& entry);
-    void readFiles(const Entry& entry, project::Project project);
+    void readFiles(const Entry& entry, project::ProjectFile file);
     void show(const Entry& entry, LoadedFiles loaded);
     void openStrip(const std::filesystem::path& path);
     void openMesh(const Entry& entry);

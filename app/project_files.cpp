@@ -70,12 +70,13 @@ void ProjectFiles::addMesh() {
 }
 
 bool ProjectFiles::save() {
-    if (m_document.path().empty()) return saveAs();
+    if (m_document.path().empty() || m_document.isReadOnly()) return saveAs();
     return saveTo(QString::fromStdString(m_document.path().string()));
 }
 
 bool ProjectFiles::saveAs() {
-    const QString suggestion = folder() + "/" + m_document.name() + ".chiaro";
+    const QString name = m_document.isReadOnly() ? tr("%1 copy").arg(m_document.name()) : m_document.name();
+    const QString suggestion = folder() + "/" + name + ".chiaro";
     QString path = QFileDialog::getSaveFileName(&m_window, tr("Save Project"), suggestion, tr(projectFilter));
     if (path.isEmpty()) return false;
     if (!path.endsWith(".chiaro")) path += ".chiaro";
@@ -83,6 +84,7 @@ bool ProjectFiles::saveAs() {
 }
 
 bool ProjectFiles::saveTo(const QString& path) {
+    const bool wasReadOnly = m_document.isReadOnly();
     try {
         m_document.save(std::filesystem::absolute(path.toStdString()));
     } catch (const std::exception& problem) {
@@ -90,6 +92,9 @@ bool ProjectFiles::saveTo(const QString& path) {
         return false;
     }
     m_recent->add(path);
+    if (wasReadOnly)
+        Q_EMIT noted(tr("%1 is a copy in this Chiaro's format; what only the newer one knows is not in it.")
+                         .arg(QFileInfo(path).fileName()));
     return true;
 }
 

@@ -23,7 +23,8 @@ public:
     void openStrip();
     void openMesh();
     void addMesh();
-    /// False when the artist changed their mind or the disk refused.
+    /// Of a project that is read-only as saveAs(). False when the artist changed their mind or the disk
+    /// refused.
     bool save();
     bool saveAs();
     /// Asks about changes that would get lost; false when the artist wants to keep them after all.
@@ -35,6 +36,7 @@ public:
 
 Q_SIGNALS:
     void failed(const QString& message);
+    void noted(const QString& note);
 
 private:
     QStringList chosen(const QString& title, const QString& filter) const;

@@ -1,5 +1,7 @@
 #include "app/recent_files.h"
 
+#include "app/project_pictures.h"
+
 #include <QtWidgets>
 
 namespace chiaro::app {
@@ -9,9 +11,19 @@ namespace {
 constexpr int maximumFiles = 10;
 constexpr const char* settingsKey = "recentFiles";
 
+QIcon pictureOf(const QString& path) {
+    const QImage picture = ProjectPictures::find(path);
+    QPixmap pixmap(ProjectPictures::size * 2);
+    pixmap.fill(Qt::transparent);
+    if (!picture.isNull()) pixmap = QPixmap::fromImage(picture);
+    return QIcon(pixmap);
+}
+
 }  // namespace
 
 RecentFiles::RecentFiles(QWidget* parent) : QMenu(tr("Open &Recent"), parent) {
+    // The style's small icons are too small for a picture.
+    setStyleSheet(QString("QMenu { icon-size: %1px; }").arg(ProjectPictures::size.width()));
     connect(this, &QMenu::aboutToShow, this, &RecentFiles::rebuild);
     rebuild();
 }
@@ -28,8 +40,9 @@ void RecentFiles::rebuild() {
     clear();
     for (const QString& path : QSettings().value(settingsKey).toStringList()) {
         if (!QFileInfo::exists(path)) continue;
-        QAction* action = addAction(QFileInfo(path).fileName());
-        action->setToolTip(path);
+        QAction* action = addAction(QFileInfo(path).fileName().replace('&', "&&"));
+        action->setToolTip(QDir::toNativeSeparators(path));
+        action->setIcon(pictureOf(path));
         connect(action, &QAction::triggered, this, [this, path] { Q_EMIT chosen(path); });
     }
     setToolTipsVisible(true);

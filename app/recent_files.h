@@ -4,7 +4,7 @@
 
 namespace chiaro::app {
 
-/// The projects opened and saved last, remembered between sessions.
+/// The projects opened and saved last, with their pictures, remembered between sessions.
 class RecentFiles : public QMenu {
     Q_OBJECT
 

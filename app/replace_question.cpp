@@ -4,7 +4,7 @@
 
 namespace chiaro::app {
 
-bool mayReplace(QWidget& dialog, const std::vector<std::filesystem::path>& files) {
+bool mayReplace(QWidget& dialog, const std::vector<std::filesystem::path>& files, const QString& title) {
     constexpr int listed = 3;
     QStringList there;
     for (const std::filesystem::path& file : files)
@@ -20,7 +20,7 @@ bool mayReplace(QWidget& dialog, const std::vector<std::filesystem::path>& files
         question = tr("%1 and %2 more are there already. Replace them?")
                        .arg(there.mid(0, listed).join(", "))
                        .arg(there.size() - listed);
-    return QMessageBox::question(&dialog, dialog.windowTitle(), question,
+    return QMessageBox::question(&dialog, title.isEmpty() ? dialog.windowTitle() : title, question,
                                  QMessageBox::Yes | QMessageBox::Cancel,
                                  QMessageBox::Cancel) == QMessageBox::Yes;
 }

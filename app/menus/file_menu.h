@@ -4,7 +4,9 @@
 
 namespace chiaro::app {
 
+class Document;
 class Exporter;
+class ProjectCollector;
 class ProjectFiles;
 
 /// What comes into the studio and what goes out.
@@ -13,7 +15,8 @@ class FileMenu : public QMenu {
 
 public:
     /// Quitting closes `window`.
-    FileMenu(ProjectFiles& files, Exporter& exporter, QWidget& window);
+    FileMenu(Document& document, ProjectFiles& files, ProjectCollector& collector, Exporter& exporter,
+             QWidget& window);
 };
 
 }  // namespace chiaro::app

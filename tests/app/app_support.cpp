@@ -61,8 +61,13 @@ Watchdog::Watchdog() {
 }
 
 void answerNext(QMessageBox::StandardButton answer, bool& asked) {
-    QTimer::singleShot(100, qApp, [answer, &asked] {
+    asked = false;
+    auto* looks = new QTimer(qApp);
+    looks->start(50);
+    QObject::connect(looks, &QTimer::timeout, looks, [answer, &asked, looks, left = 100]() mutable {
         auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (question == nullptr && --left > 0) return;
+        looks->deleteLater();
         asked = question != nullptr;
         if (asked) question->button(answer)->click();
     });

@@ -57,8 +57,8 @@ private:
     qint64 m_longest = 0;
 };
 
-/// Answers the next question that appears; asked tells whether one did. Of use where a call blocks until it
-/// is answered.
+/// Answers the next question that appears within five seconds; asked, which must live as long, tells whether
+/// one did. Of use where a call blocks until it is answered.
 void answerNext(QMessageBox::StandardButton answer, bool& asked);
 
 /// The project without its camera, which is no part of the history.

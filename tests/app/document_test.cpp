@@ -1,3 +1,5 @@
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
 #include "core/base/random.h"
 #include "tests/app/app_support.h"
 
@@ -84,6 +86,46 @@ private Q_SLOTS:
         while (document.undoStack().canUndo()) document.undoStack().undo();
         QCOMPARE(document.project().method, before);
         QCOMPARE(document.project(), twoSamples());
+    }
+
+    void aPresetIsOneStep() {
+        Document document;
+        document.replace(twoSamples(), {}, objectNames);
+        const project::Project before = document.project();
+        project::Project other;
+        other.method = "view-dependent";
+        other.levels.count = 5;
+        other.views.count = 9;
+        other.imageBased.window = 9;  // of another method: it stays as it is
+        const auto preset = project::MethodPreset::of(other);
+        document.applyPreset(preset);
+        QCOMPARE(document.project().levels.count, 5);
+        QCOMPARE(document.project().views.count, 9);
+        QCOMPARE(document.project().imageBased, before.imageBased);
+        QCOMPARE(document.undoStack().count(), 1);
+        document.applyPreset(preset);
+        QCOMPARE(document.undoStack().count(), 1);
+        document.applyPreset(1, project::ViewPlanPreset{other.views, {{{0, 0, 1}, {0, 1, 0}}}});
+        QCOMPARE(document.undoStack().count(), 2);
+        QCOMPARE(document.placedViews(1).size(), 1U);
+        document.undoStack().undo();
+        document.undoStack().undo();
+        QCOMPARE(document.project(), before);
+    }
+
+    void aProjectOfANewerFormatIsNeverReplaced() {
+        const test::TemporaryFolder folder;
+        writeFileAtomically(folder / "a.chiaro", R"({"chiaro": 99, "samples": [], "brushes": 7})");
+        Document document;
+        document.replace(twoSamples(), folder / "a.chiaro", objectNames);
+        document.setReadOnly();
+        QVERIFY_EXCEPTION_THROWN(document.save(folder / "a.chiaro"), Error);
+        QCOMPARE(readFile(folder / "a.chiaro", 1000), R"({"chiaro": 99, "samples": [], "brushes": 7})");
+        QVERIFY(document.isReadOnly());
+        document.save(folder / "a copy.chiaro");
+        QVERIFY(!document.isReadOnly());
+        QCOMPARE(document.path(), folder / "a copy.chiaro");
+        document.save(folder / "a copy.chiaro");
     }
 
     void samplesAreEditedApart() {

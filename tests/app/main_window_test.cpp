@@ -8,6 +8,9 @@
 #include "app/heat_maps.h"
 #include "app/metric_tools.h"
 #include "app/picture_export.h"
+#include "app/project_collector.h"
+#include "app/project_pictures.h"
+#include "app/recent_files.h"
 #include "core/base/atomic_file.h"
 #include "core/project/pipeline.h"
 #include "tests/app/app_support.h"
@@ -297,6 +300,70 @@ private Q_SLOTS:
         const double difference = meanDifference(shown, picture);
         qInfo("mean difference %.3f of 255", difference);
         QVERIFY2(difference < 2, "the export shows something else than the viewport");
+    }
+
+    void savedProjectsAreRememberedWithTheirPictures() {
+        MainWindow window;
+        window.resize(1000, 700);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(openAndSettle(window, stripAndMesh()));
+        const QString path = QString::fromStdString((m_folder / "seen.chiaro").string());
+        QVERIFY(app::ProjectPictures::find(path).isNull());
+        window.document().save(path.toStdString());
+        QTRY_VERIFY_WITH_TIMEOUT(!app::ProjectPictures::find(path).isNull(), 20'000);
+        const QImage picture = app::ProjectPictures::find(path);
+        QCOMPARE(picture.size(), app::ProjectPictures::size * 2);
+        QFile::remove(app::ProjectPictures::file(path));
+        QVERIFY(openAndSettle(window, {m_folder / "seen.chiaro"}));
+        QTRY_VERIFY_WITH_TIMEOUT(!app::ProjectPictures::find(path).isNull(), 20'000);
+        auto* recent = window.findChild<app::RecentFiles*>();
+        Q_EMIT recent->aboutToShow();
+        QCOMPARE(recent->actions().front()->text(), QString("seen.chiaro"));
+        QCOMPARE(recent->actions().front()->icon().pixmap(80, 50).toImage().isNull(), false);
+        writeFileAtomically(app::ProjectPictures::file(path).toStdString(), "no picture");
+        Q_EMIT recent->aboutToShow();
+        QFile::remove(app::ProjectPictures::file(path));
+    }
+
+    void allFilesAreCollectedIntoAFolder() {
+        MainWindow window;
+        window.show();
+        QVERIFY(openAndSettle(window, stripAndMesh()));
+        window.document().save(m_folder / "study.chiaro");
+        auto* collector = window.findChild<app::ProjectCollector*>();
+        QSignalSpy collected(collector, &app::ProjectCollector::collected);
+        collector->collectInto(m_folder / "all");
+        QVERIFY(collected.wait(20'000));
+        QVERIFY(collected[0][0].toString().contains("all"));
+        QVERIFY(std::filesystem::exists(m_folder / "all/scans/strip.png"));
+        QVERIFY(std::filesystem::exists(m_folder / "all/meshes/mesh.obj"));
+        QCOMPARE(project::readProject(m_folder / "all/study.chiaro").meshes.size(), 1U);
+        QCOMPARE(window.document().path(), m_folder / "study.chiaro");
+        // Once more it asks, and takes no for an answer.
+        writeFileAtomically(m_folder / "all/study.chiaro", "mine");
+        bool asked = false;
+        test::answerNext(QMessageBox::Cancel, asked);
+        collector->collectInto(m_folder / "all");
+        QTRY_VERIFY(asked);
+        QVERIFY(QTest::qWaitFor([&] { return window.jobs().isIdle(); }, 10'000));
+        QCOMPARE(readFile(m_folder / "all/study.chiaro", 100), std::string("mine"));
+        QCOMPARE(collected.count(), 1);
+    }
+
+    void aReadOnlyProjectIsNotSavedInPlace() {
+        writeFileAtomically(m_folder / "newer.chiaro", R"({"chiaro": 3, "samples": [], "brushes": 1})");
+        MainWindow window;
+        window.show();
+        QVERIFY(openAndSettle(window, {m_folder / "newer.chiaro"}));
+        QVERIFY(window.windowTitle().contains("newer (read-only)"));
+        QVERIFY(window.findChild<widgets::MessageBar*>()->text().contains("newer Chiaro"));
+        QAction* save = nullptr;
+        for (QAction* action : window.findChildren<QAction*>())
+            if (action->text() == "&Save") save = action;
+        QVERIFY(save && !save->isEnabled());
+        window.document().save(m_folder / "older.chiaro");
+        QVERIFY(save->isEnabled());
     }
 
     void exportingAPictureAsksBeforeItReplaces() {

@@ -131,6 +131,30 @@ private Q_SLOTS:
         QCOMPARE(studio.document.project().levels.count, 5);
     }
 
+    void aProjectOfANewerFormatIsOpenedReadOnly() {
+        Studio studio;
+        QVERIFY(studio.open({test::writeStrip(m_folder / "oil.png")}));
+        studio.document.save(m_folder / "new.chiaro");
+        std::string text = readFile(m_folder / "new.chiaro", 1 << 20);
+        text.replace(text.find("\"chiaro\": 2"), 11, "\"chiaro\": 3, \"brushes\": [1]");
+        writeFileAtomically(m_folder / "new.chiaro", text);
+        QStringList notes;
+        connect(&studio.opener, &app::Opener::noted, this, [&](const QString& note) { notes << note; });
+        QVERIFY(studio.open({m_folder / "new.chiaro"}));
+        QVERIFY(studio.errors.empty());
+        QVERIFY(studio.document.isReadOnly());
+        QCOMPARE(studio.document.project().samples.size(), 1U);
+        QCOMPARE(notes.size(), 1);
+        QVERIFY2(notes[0].contains("new.chiaro") && notes[0].contains("format 3"), qPrintable(notes[0]));
+        QVERIFY(studio.open({test::writeTetrahedron(m_folder / "head.obj", "head")}));
+        QVERIFY(studio.document.isReadOnly());
+        studio.document.undoStack().setClean();
+        studio.document.save(m_folder / "mine.chiaro");
+        QVERIFY(studio.open({m_folder / "mine.chiaro"}));
+        QVERIFY(!studio.document.isReadOnly());
+        QCOMPARE(readFile(m_folder / "new.chiaro", 1 << 20), text);
+    }
+
     void whatIsEditedWhileAProjectLoadsIsAskedAbout() {
         Studio studio;
         QVERIFY(studio.open({test::writeStrip(m_folder / "oil.png")}));
