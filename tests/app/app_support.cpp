@@ -73,6 +73,17 @@ void answerNext(QMessageBox::StandardButton answer, bool& asked) {
     });
 }
 
+bool asksBeforeItReplaces(QDialog& dialog) {
+    dialog.show();
+    bool askedFirst = false, askedAgain = false;
+    answerNext(QMessageBox::Cancel, askedFirst);
+    dialog.accept();
+    const bool stayed = dialog.result() == 0 && dialog.isVisible();
+    answerNext(QMessageBox::Yes, askedAgain);
+    dialog.accept();
+    return askedFirst && stayed && askedAgain && dialog.result() == QDialog::Accepted;
+}
+
 project::Project withoutCamera(project::Project project) {
     project.camera = {};
     project.frameCamera = true;

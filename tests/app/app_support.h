@@ -61,6 +61,10 @@ private:
 /// one did. Of use where a call blocks until it is answered.
 void answerNext(QMessageBox::StandardButton answer, bool& asked);
 
+/// True when accepting a dialog whose file is there already asks first, changes nothing after a no, and is
+/// done after a yes.
+bool asksBeforeItReplaces(QDialog& dialog);
+
 /// The project without its camera, which is no part of the history.
 project::Project withoutCamera(project::Project project);
 

@@ -371,16 +371,7 @@ private Q_SLOTS:
         app::PictureSettings suggested;
         suggested.path = m_folder / "there.png";
         app::ExportDialog dialog(suggested, nullptr);
-        dialog.show();
-        bool asked = false;
-        test::answerNext(QMessageBox::Cancel, asked);
-        dialog.accept();
-        QVERIFY(asked);
-        QCOMPARE(dialog.result(), 0);
-        test::answerNext(QMessageBox::Yes, asked);
-        dialog.accept();
-        QVERIFY(asked);
-        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        QVERIFY(test::asksBeforeItReplaces(dialog));
     }
 
     void whatTheViewportShowsIsMeasured() {

@@ -121,16 +121,7 @@ private Q_SLOTS:
     void theDialogAsksBeforeItReplaces() {
         writeFileAtomically(m_folder / "there.mtl", "mine");
         app::MeshExportDialog dialog({m_folder / "there.obj", {}}, nullptr);
-        dialog.show();
-        bool asked = false;
-        test::answerNext(QMessageBox::Cancel, asked);
-        dialog.accept();
-        QVERIFY(asked);
-        QCOMPARE(dialog.result(), 0);
-        test::answerNext(QMessageBox::Yes, asked);
-        dialog.accept();
-        QVERIFY(asked);
-        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        QVERIFY(test::asksBeforeItReplaces(dialog));
     }
 
     void theMenuWritesAMesh() {
