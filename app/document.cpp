@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 namespace chiaro::app {
 
@@ -257,20 +258,27 @@ void Document::editObjects(std::vector<project::ObjectSettings> objects, const Q
 
 void Document::removeObjects(const std::vector<int>& objects) {
     Contents next = contents();
-    std::vector<int> last(objects);
-    std::ranges::sort(last, std::greater());
-    for (const int object : last) {
-        const project::ObjectSettings removed = next.objects[std::size_t(object)];
-        next.objects.erase(next.objects.begin() + object);
-        const auto isOfSame = [&](const project::ObjectSettings& other) {
-            return other.mesh == removed.mesh && other.sourceName() == removed.sourceName();
-        };
-        if (std::ranges::none_of(next.objects, isOfSame))
-            next.meshes[std::size_t(removed.mesh)].without.push_back(removed.sourceName());
+    const std::set<int> removed(objects.begin(), objects.end());
+    using Source = std::pair<int, std::string>;
+    const auto sourceOf = [](const project::ObjectSettings& object) {
+        return Source(object.mesh, object.sourceName());
+    };
+    std::set<Source> left;  // what the scene still has, or the file was told to leave out
+    next.objects.clear();
+    for (int object = 0; object < int(m_project.objects.size()); ++object) {
+        if (removed.contains(object)) continue;
+        next.objects.push_back(m_project.objects[std::size_t(object)]);
+        left.insert(sourceOf(next.objects.back()));
     }
+    for (const int object : removed) {
+        const Source source = sourceOf(m_project.objects[std::size_t(object)]);
+        if (left.insert(source).second)
+            next.meshes[std::size_t(source.first)].without.push_back(source.second);
+    }
+    std::set<int> filesLeft;
+    for (const project::ObjectSettings& object : next.objects) filesLeft.insert(object.mesh);
     for (int file = int(next.meshes.size()) - 1; file >= 0; --file) {
-        if (std::ranges::find(next.objects, file, &project::ObjectSettings::mesh) != next.objects.end())
-            continue;
+        if (filesLeft.contains(file)) continue;
         next.meshes.erase(next.meshes.begin() + file);
         for (project::ObjectSettings& object : next.objects) object.mesh -= object.mesh > file ? 1 : 0;
     }

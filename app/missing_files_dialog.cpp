@@ -45,14 +45,18 @@ MissingFilesDialog::MissingFilesDialog(project::Project& project, QWidget* paren
     connect(&m_search, &QFutureWatcher<project::Project>::finished, this, [this] {
         const std::size_t before = m_missing.size();
         m_project = m_search.result();
-        show(project::missingFiles(m_project));
+        showMissing(project::missingFiles(m_project));
         const int found = int(before - m_missing.size());
-        m_text->setText(found > 0 ? tr("%1 of %2 were found.").arg(found).arg(before) + " " + question()
-                                  : tr("None of them is there.") + " " + question());
+        if (m_missing.empty())
+            m_text->setText(tr("All of them were found."));
+        else if (found > 0)
+            m_text->setText(tr("%1 of %2 were found.").arg(found).arg(before) + " " + question());
+        else
+            m_text->setText(tr("None of them is there.") + " " + question());
         Q_EMIT searched();
     });
     m_find->setDefault(true);
-    show(project::missingFiles(m_project));
+    showMissing(project::missingFiles(m_project));
 }
 
 MissingFilesDialog::~MissingFilesDialog() {
@@ -80,7 +84,7 @@ void MissingFilesDialog::search(const QString& folder) {
         }));
 }
 
-void MissingFilesDialog::show(const std::vector<MissingFile>& missing) {
+void MissingFilesDialog::showMissing(const std::vector<MissingFile>& missing) {
     m_missing = missing;
     m_list->clear();
     for (const MissingFile& file : missing) {
@@ -113,7 +117,7 @@ void MissingFilesDialog::findSelected() {
     const QString path = QFileDialog::getOpenFileName(this, tr("Find %1").arg(name), {}, filter);
     if (path.isEmpty()) return;
     project::relink(m_project, file, std::filesystem::path(path.toStdString()));
-    show(project::missingFiles(m_project));
+    showMissing(project::missingFiles(m_project));
 }
 
 }  // namespace chiaro::app

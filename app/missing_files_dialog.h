@@ -32,7 +32,7 @@ Q_SIGNALS:
     void searched();
 
 private:
-    void show(const std::vector<project::MissingFile>& missing);
+    void showMissing(const std::vector<project::MissingFile>& missing);
     void findSelected();
     void chooseFolder();
 
