@@ -65,7 +65,8 @@ MainWindow::MainWindow()
     makeStatusBar();
     m_files = new ProjectFiles(m_document, m_opener, *this);
     m_collector = new ProjectCollector(m_document, m_jobs, *this);
-    new ProjectPictures(m_document, m_jobs, *m_viewport, this);
+    auto* pictures = new ProjectPictures(m_document, m_jobs, *m_viewport, this);
+    connect(m_files, &ProjectFiles::saved, pictures, &ProjectPictures::keepShown);
     m_exporter =
         new Exporter(m_document, m_jobs, m_paints, m_meshes, m_objectTextures, m_playback, *m_viewport, this);
     makeMenus();

@@ -92,6 +92,7 @@ bool ProjectFiles::saveTo(const QString& path) {
         return false;
     }
     m_recent->add(path);
+    Q_EMIT saved();
     if (wasReadOnly)
         Q_EMIT noted(tr("%1 is a copy in this Chiaro's format; what only the newer one knows is not in it.")
                          .arg(QFileInfo(path).fileName()));

@@ -37,6 +37,7 @@ public:
 Q_SIGNALS:
     void failed(const QString& message);
     void noted(const QString& note);
+    void saved();
 
 private:
     QStringList chosen(const QString& title, const QString& filter) const;

@@ -37,6 +37,14 @@ ProjectPictures::ProjectPictures(Document& document, JobRunner& jobs, const widg
     });
 }
 
+void ProjectPictures::keepShown() {
+    // The CPU renderer would be waited for.
+    if (!m_viewport.usesOpenGl()) return;
+    const bool isSettled = m_jobs.isIdle();
+    take();
+    m_isDue = !isSettled;  // a better one follows
+}
+
 void ProjectPictures::take() {
     m_isDue = false;
     if (m_document.path().empty() || !m_viewport.isVisible()) return;

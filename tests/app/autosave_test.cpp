@@ -1,13 +1,11 @@
 #include "app/autosave.h"
 
-#include "app/missing_files_dialog.h"
 #include "app/project_lock.h"
 #include "core/base/atomic_file.h"
 #include "core/base/random.h"
 #include "tests/app/app_support.h"
 
 #include <QtTest>
-#include <QtWidgets>
 
 #include <cstdio>
 
@@ -204,25 +202,6 @@ private Q_SLOTS:
         QVERIFY(!app::ProjectLock::holder(project));  // the dead hold nothing
         QVERIFY(!std::filesystem::exists(m_root / ".open.chiaro.lock"));
         QVERIFY(!app::ProjectLock::holder("/proc/nowhere/a.chiaro"));
-    }
-
-    void missingFilesAreSearchedForInAFolder() {
-        test::writeStrip(m_root / "found/scans/oil.png");
-        test::writeTetrahedron(m_root / "found/meshes/head.obj", "head");
-        project::Project project;
-        project.samples.resize(1);
-        project.samples[0].name = "oil";
-        project.samples[0].scan = m_root / "lost/oil.png";
-        project.meshes = {{m_root / "lost/head.obj"}, {m_root / "lost/gone.obj"}};
-        app::MissingFilesDialog dialog(project);
-        dialog.show();
-        QCOMPARE(dialog.list()->topLevelItemCount(), 3);
-        QSignalSpy searched(&dialog, &app::MissingFilesDialog::searched);
-        dialog.search(QString::fromStdString((m_root / "found").string()));
-        QVERIFY(searched.wait(10'000));
-        QCOMPARE(dialog.list()->topLevelItemCount(), 1);
-        QCOMPARE(project.samples[0].scan, m_root / "found/scans/oil.png");
-        QCOMPARE(project.meshes[0].path, m_root / "found/meshes/head.obj");
     }
 
     void missingFilesCanBeFoundOrLeftOut() {

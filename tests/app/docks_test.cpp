@@ -1,6 +1,7 @@
 #include "app/docks/gradient_dock.h"
 #include "app/docks/parameters_dock.h"
 #include "app/docks/sample_dock.h"
+#include "app/missing_files_dialog.h"
 #include "app/preset_menu.h"
 #include "core/base/atomic_file.h"
 #include "tests/app/app_support.h"
@@ -149,6 +150,25 @@ private Q_SLOTS:
         QDropEvent event(QPointF(20, 40), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(docks.sample, &event);
         QCOMPARE(dropped[0][0].toStringList(), QStringList{"/scans/oil.png"});
+    }
+
+    void missingFilesAreSearchedForInAFolder() {
+        test::writeStrip(m_folder / "found/scans/oil.png");
+        test::writeTetrahedron(m_folder / "found/meshes/head.obj", "head");
+        project::Project project;
+        project.samples.resize(1);
+        project.samples[0].name = "oil";
+        project.samples[0].scan = m_folder / "lost/oil.png";
+        project.meshes = {{m_folder / "lost/head.obj"}, {m_folder / "lost/gone.obj"}};
+        app::MissingFilesDialog dialog(project);
+        dialog.show();
+        QCOMPARE(dialog.list()->topLevelItemCount(), 3);
+        QSignalSpy searched(&dialog, &app::MissingFilesDialog::searched);
+        dialog.search(QString::fromStdString((m_folder / "found").string()));
+        QVERIFY(searched.wait(10'000));
+        QCOMPARE(dialog.list()->topLevelItemCount(), 1);
+        QCOMPARE(project.samples[0].scan, m_folder / "found/scans/oil.png");
+        QCOMPARE(project.meshes[0].path, m_folder / "found/meshes/head.obj");
     }
 
     void gradientsAreKeptAsPresets() {
