@@ -17,7 +17,7 @@ struct Change {
         Animation,      ///< frames, keys, turns, the render range
         Levels,         ///< how level stacks are made
         ViewAligned,    ///< how they are laid on the picture
-        Method,         ///< which method is shown
+        Method,         ///< which methods are shown
         ImageBased,     ///< how image-based textures are made
         Coherence,      ///< how their animations hang together
         ViewDependent,  ///< how textures of the objects' own views are made and blended

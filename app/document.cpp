@@ -2,6 +2,7 @@
 
 #include "app/commands/change_value.h"
 #include "core/project/backups.h"
+#include "core/project/render_method.h"
 
 #include <QtWidgets>
 
@@ -360,6 +361,23 @@ int Document::addMesh(const std::filesystem::path& path, const std::vector<std::
     }
     editContents(Change::Kind::Mesh, tr("Add Mesh"), next);
     return first;
+}
+
+void Document::setComparedMethods(std::vector<std::string> keys) {
+    if (keys == m_comparedMethods) return;
+    m_comparedMethods = std::move(keys);
+    Q_EMIT changed({Change::Kind::Method});
+}
+
+bool Document::shows(std::string_view method) const {
+    if (m_comparedMethods.empty()) return m_project.method == method;
+    return std::ranges::find(m_comparedMethods, method) != m_comparedMethods.end();
+}
+
+bool Document::shows(bool project::RenderMethod::*need) const {
+    return std::ranges::any_of(project::renderMethods(), [&](const project::RenderMethod& method) {
+        return method.*need && shows(method.key);
+    });
 }
 
 void Document::finishEdit() {

@@ -10,6 +10,10 @@
 #include <filesystem>
 #include <functional>
 
+namespace chiaro::project {
+struct RenderMethod;
+}
+
 namespace chiaro::app {
 
 /// The project that is open, and its history. Needs no window.
@@ -99,6 +103,14 @@ public:
     /// One more mesh; its objects wear the sample. Returns the first of them in the scene.
     int addMesh(const std::filesystem::path& path, const std::vector<std::string>& objectNames, int sample);
 
+    /// The methods that are compared with each other where the project's own is not shown alone; none when it
+    /// is. What is looked at, so no edit, and not saved.
+    void setComparedMethods(std::vector<std::string> keys);
+    /// Whether a method is shown, and so what it needs is to be made.
+    bool shows(std::string_view method) const;
+    /// Whether one that needs something is: `need` is usesLevels or usesViews.
+    bool shows(bool project::RenderMethod::*need) const;
+
     /// Ends a drag or dialog: the next edit is another step. Tells editFinished().
     void finishEdit();
     /// True from the first edit of a drag or dialog to finishEdit().
@@ -137,6 +149,7 @@ private:
     project::Project m_project;
     std::filesystem::path m_path;
     QUndoStack m_undo;
+    std::vector<std::string> m_comparedMethods;
     int m_session = 0;
     bool m_editing = false;
     bool m_isReadOnly = false;

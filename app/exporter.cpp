@@ -56,8 +56,9 @@ std::filesystem::path Exporter::suggestion(const QString& folder, const char* ex
 
 void Exporter::exportPicture(const QString& folder) {
     PictureSettings suggested;
-    suggested.width = m_viewport.pixels().width();
-    suggested.height = m_viewport.pixels().height();
+    const QSize shown = m_viewport.size() * m_viewport.devicePixelRatioF();
+    suggested.width = shown.width();
+    suggested.height = shown.height();
     suggested.background = m_viewport.background();
     suggested.path = suggestion(folder, ".png");
     ExportDialog dialog(suggested, m_viewport.window());

@@ -187,7 +187,7 @@ FrameTextures::Keys FrameTextures::keysOf(const Inputs& inputs) const {
 }
 
 bool FrameTextures::isWanted() const {
-    return m_document.project().method == "image-based" && !m_pixels.isEmpty();
+    return m_document.shows("image-based") && !m_pixels.isEmpty();
 }
 
 bool FrameTextures::isWaitingForPaint() const {

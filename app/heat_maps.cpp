@@ -32,6 +32,8 @@ HeatMaps::HeatMaps(ViewMeasures& measures, widgets::Viewport& viewport, QObject*
             [this](bool isOn) { chooseMap(ViewMeasures::Map::Similarity, isOn); });
     connect(m_shading, &QAction::toggled, this,
             [this](bool isOn) { chooseMap(ViewMeasures::Map::Shading, isOn); });
+    connect(&viewport, &widgets::Viewport::panesChanged, m_overlay,
+            [this, &viewport] { m_overlay->setPanes(viewport.panes()); });
     connect(&viewport, &widgets::Viewport::pictureChanged, &measures, &ViewMeasures::restart);
     connect(&measures, &ViewMeasures::mapChanged, this, &HeatMaps::show);
     connect(&measures, &ViewMeasures::measureChanged, this, &HeatMaps::show);
@@ -62,19 +64,28 @@ void HeatMaps::show() {
     const bool isWanted = m_measures.map() != ViewMeasures::Map::None;
     m_overlay->setVisible(isWanted);
     if (!isWanted) return;
-    const auto map = m_measures.heatMap();
-    m_overlay->setMap(map);
+    const auto maps = m_measures.heatMaps();
+    const bool hasMap = !maps.empty();
+    m_overlay->setMaps(maps);
     const bool isComing = !m_measures.isMapFinal() && m_measures.problem().isEmpty();
-    m_overlay->setProgress(map ? tr("refining…") : tr("measuring…"),
+    m_overlay->setProgress(hasMap ? tr("refining…") : tr("measuring…"),
                            isComing ? m_measures.mapProgress() : std::nullopt);
 }
 
 QString measureText(const ViewMeasures& measures) {
-    const auto& measure = measures.measure();
-    if (!measures.isLive() || !measure) return {};
-    const QString similarity = HeatMaps::tr("similarity %1").arg(measure->similarity.mean, 0, 'f', 3);
-    if (!measure->shadingAbsolute) return similarity;
-    return HeatMaps::tr("%1 · shading %2").arg(similarity).arg(measure->shadingAbsolute->mean, 0, 'f', 3);
+    return measures.measure() ? measureTexts(measures, 0).join(" · ") : QString();
+}
+
+QStringList measureTexts(const ViewMeasures& measures, std::size_t picture) {
+    if (!measures.isLive() || !measures.problem().isEmpty()) return {};
+    const auto measure = measures.measure(picture);
+    const auto figure = [](double value) { return QString::number(value, 'f', 3); };
+    const QString waiting = HeatMaps::tr("…");
+    QStringList texts{
+        HeatMaps::tr("similarity %1").arg(measure ? figure(measure->similarity.mean) : waiting)};
+    if (!measure || measure->shadingAbsolute)
+        texts << HeatMaps::tr("shading %1").arg(measure ? figure(measure->shadingAbsolute->mean) : waiting);
+    return texts;
 }
 
 }  // namespace chiaro::app

@@ -41,5 +41,7 @@ private:
 
 /// "similarity 0.083 · shading 0.104", for a status bar; empty while nothing is known.
 QString measureText(const ViewMeasures& measures);
+/// "similarity 0.083" and "shading 0.104" of one of the pictures that are compared; "…" while they are made.
+QStringList measureTexts(const ViewMeasures& measures, std::size_t picture);
 
 }  // namespace chiaro::app

@@ -1,5 +1,7 @@
 #include "app/main_window.h"
 
+#include "app/camera_moves.h"
+#include "app/compare_tools.h"
 #include "app/docks/gradient_dock.h"
 #include "app/docks/history_dock.h"
 #include "app/docks/jobs_dock.h"
@@ -117,8 +119,8 @@ void MainWindow::makeDocks() {
     m_gradientDock->raise();
     connect(m_viewport, &widgets::Viewport::viewChanged, m_viewsDock,
             [this] { m_viewsDock->setCamera(m_viewport->camera()); });
-    m_viewOverlays = new ViewOverlays(*m_viewsDock, m_viewPlans, m_meshes, *m_viewport, m_viewport);
-    m_viewsDock->addSwitches({m_viewOverlays->framesAction(), m_viewOverlays->facesAction()});
+    m_viewOverlays = new ViewOverlays(*m_viewsDock, m_jobs, m_viewPlans, m_meshes, *m_viewport, m_viewport);
+    m_viewsDock->addSwitches(m_viewOverlays->actions());
     makeMetrics();
 }
 
@@ -177,6 +179,8 @@ void MainWindow::makeToolBar() {
     bar->setIconSize({16, 16});
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_methods->addTo(*bar);
+    m_compare = new CompareTools(m_document, *m_viewport, m_metrics->viewMeasures(), m_viewport);
+    m_compare->addTo(*bar);
 }
 
 void MainWindow::makeStatusBar() {
@@ -190,7 +194,8 @@ void MainWindow::makeStatusBar() {
 }
 
 void MainWindow::makeMenus() {
-    auto* view = new ViewMenu(*m_viewport, *m_viewOverlays, *m_metrics, *this);
+    auto* view = new ViewMenu(*m_viewport, *m_compare, *new CameraMoves(m_document, *m_viewport, this),
+                              *m_viewOverlays, *m_metrics, *this);
     connect(view, &ViewMenu::resetLayoutWanted, this, [this] {
         restoreState(m_standardState, layoutVersion);
         arrangeDocks();
@@ -236,7 +241,9 @@ void MainWindow::connectParts() {
     connect(m_sampleDock, &SampleDock::addWanted, m_files, &ProjectFiles::openStrip);
     connect(m_viewport, &widgets::Viewport::filesDropped, this, &MainWindow::open);
     connect(m_viewport, &widgets::Viewport::frameDrawn, this, [this](double milliseconds) {
-        m_frameTime->setText(tr("%1 · %2 ms").arg(m_methods->shownLabel()).arg(milliseconds, 0, 'f', 1));
+        const QString compared = m_compare->shownLabel();
+        const QString shown = compared.isEmpty() ? m_methods->shownLabel() : compared;
+        m_frameTime->setText(tr("%1 · %2 ms").arg(shown).arg(milliseconds, 0, 'f', 1));
     });
 }
 

@@ -22,6 +22,7 @@ class Viewport;
 
 namespace chiaro::app {
 
+class CompareTools;
 class Exporter;
 class GradientDock;
 class JobsDock;
@@ -69,6 +70,7 @@ public:
     GradientDock& gradientDock() { return *m_gradientDock; }
     ViewPlanningDock& viewPlanningDock() { return *m_viewsDock; }
     MetricTools& metrics() { return *m_metrics; }
+    CompareTools& compare() { return *m_compare; }
     QString frameText() const;  ///< in the status bar: the method and its frame time
 
 public Q_SLOTS:
@@ -110,6 +112,7 @@ private:
     std::unique_ptr<MetricTools> m_metrics;
 
     MethodSwitch* m_methods = nullptr;
+    CompareTools* m_compare = nullptr;
     widgets::MessageBar* m_messages = nullptr;
     widgets::Viewport* m_viewport = nullptr;
     SampleDock* m_sampleDock = nullptr;

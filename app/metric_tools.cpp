@@ -12,9 +12,10 @@ namespace chiaro::app {
 MetricTools::MetricTools(Document& document, JobRunner& jobs, Paints& paints, Meshes& meshes,
                          widgets::Viewport& viewport)
     : m_document(document),
+      m_viewport(viewport),
       m_comparison(document, jobs, meshes),
       m_study(jobs, paints),
-      m_measures(jobs, paints, [&viewport] { return viewport.snapshot(); }),
+      m_measures(jobs, paints, [&viewport] { return viewport.snapshots(); }),
       m_heatMaps(new HeatMaps(m_measures, viewport, &viewport)),
       m_dock(new MetricGraphDock(jobs, m_comparison, m_study, m_measures)) {
     m_dock->addSwitches(
@@ -33,10 +34,15 @@ void MetricTools::addTo(QStatusBar& bar) {
         tr("The viewport's errors: how little it resembles its strips, and how far its "
            "shades are from the light"));
     bar.addPermanentWidget(m_figures);
-    const auto show = [this] { m_figures->setText(measureText(m_measures)); };
+    const auto show = [this] { m_figures->setText(figures()); };
     connect(&m_measures, &ViewMeasures::measureChanged, m_figures, show);
     connect(m_heatMaps->liveAction(), &QAction::toggled, m_figures, show);
     show();
+}
+
+/// Where several methods are compared each has its own figures beside its picture.
+QString MetricTools::figures() const {
+    return m_viewport.shownMethods().size() == 1 ? measureText(m_measures) : QString();
 }
 
 QString MetricTools::figuresText() const {

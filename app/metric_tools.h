@@ -50,7 +50,10 @@ public Q_SLOTS:
     void setSample(int sample);
 
 private:
+    QString figures() const;
+
     Document& m_document;
+    widgets::Viewport& m_viewport;
     MethodComparison m_comparison;
     DistortionStudy m_study;
     ViewMeasures m_measures;

@@ -170,7 +170,7 @@ void ObjectTextures::applyChange(Change change) {
 }
 
 bool ObjectTextures::isWanted() const {
-    return project::renderMethod(m_document.project().method).usesViews;
+    return m_document.shows(&project::RenderMethod::usesViews);
 }
 
 std::shared_ptr<const SeparatedStrip> ObjectTextures::stripOf(int object) const {

@@ -145,8 +145,7 @@ void Paints::refresh(int sample) {
     const Keys keys = keysOf(sample);
     if (!showScan(sample, keys)) return readScan(sample, keys);
     if (!showSeparation(sample, keys)) return separate(sample, keys);
-    const project::RenderMethod* method = project::findRenderMethod(m_document.project().method);
-    if (!method || !method->usesLevels) return m_jobs.supersede(slotName("levels", sample));
+    if (!m_document.shows(&project::RenderMethod::usesLevels)) return m_jobs.supersede(slotName("levels", sample));
     if (m_document.isWorn(sample)) refreshLevels(sample, keys);
 }
 

@@ -35,24 +35,24 @@ struct ViewMeasures::Strip {
 };
 
 struct ViewMeasures::Inputs {
-    widgets::ViewSnapshot view;
+    std::vector<widgets::ViewSnapshot> views;
     std::vector<Strip> strips;
     Rays rays;  ///< null: to be cast
 };
 
-/// The picture, ready to be measured further.
+/// The pictures, ready to be measured further.
 struct ViewMeasures::Prepared {
     scene::Scene scene;
     Rays rays;
-    MeasuredView view;
+    std::vector<MeasuredView> views;
     std::vector<Strip> strips;
     std::vector<MeasuredStrip> measured;  ///< theirs
     std::vector<widgets::HeatStrip> pictures;
-    metrics::FrameMeasure measure;
+    std::vector<metrics::FrameMeasure> measures;  ///< one a view
 };
 
 struct ViewMeasures::Maps {
-    std::shared_ptr<const widgets::HeatMap> similarity, shading;
+    HeatMaps similarity, shading;  ///< one a view
 };
 
 ViewMeasures::ViewMeasures(JobRunner& jobs, Paints& paints, Source source, QObject* parent)
@@ -85,9 +85,8 @@ void ViewMeasures::setMap(Map map) {
 
 void ViewMeasures::restart() {
     const bool hadMap = m_maps || m_mapJob != 0;
-    const bool hadMeasure = m_measure.has_value() || !m_problem.isEmpty();
+    const bool hadMeasure = m_prepared || !m_problem.isEmpty();
     m_prepared = nullptr;
-    m_measure.reset();
     m_problem.clear();
     m_maps = nullptr;
     m_isMapFinal = false;
@@ -101,9 +100,19 @@ void ViewMeasures::restart() {
         m_rest.stop();
 }
 
-std::shared_ptr<const widgets::HeatMap> ViewMeasures::heatMap() const {
-    if (!m_maps || m_map == Map::None) return nullptr;
+std::optional<metrics::FrameMeasure> ViewMeasures::measure(std::size_t picture) const {
+    if (!m_prepared || picture >= m_prepared->measures.size()) return std::nullopt;
+    return m_prepared->measures[picture];
+}
+
+ViewMeasures::HeatMaps ViewMeasures::heatMaps() const {
+    if (!m_maps || m_map == Map::None) return {};
     return m_map == Map::Similarity ? m_maps->similarity : m_maps->shading;
+}
+
+std::shared_ptr<const widgets::HeatMap> ViewMeasures::heatMap(std::size_t picture) const {
+    const HeatMaps maps = heatMaps();
+    return picture < maps.size() ? maps[picture] : nullptr;
 }
 
 std::optional<double> ViewMeasures::mapProgress() const {
@@ -115,8 +124,8 @@ std::optional<double> ViewMeasures::mapProgress() const {
 /// None while nothing that is painted is seen.
 std::optional<ViewMeasures::Inputs> ViewMeasures::inputs() const {
     Inputs inputs{m_source(), {}, m_rays};
-    const scene::Scene& scene = inputs.view.scene;
-    if (inputs.view.pixels.isEmpty()) return std::nullopt;
+    const scene::Scene& scene = inputs.views.front().scene;
+    if (inputs.views.front().pixels.isEmpty()) return std::nullopt;
     if (!widgets::sameSurfaces(m_raysScene, scene)) inputs.rays = nullptr;
     const metrics::MeasureParams params;
     for (int sample = 0; sample < m_paints.sampleCount(); ++sample) {
@@ -148,19 +157,19 @@ void ViewMeasures::begin() {
 
 std::shared_ptr<const ViewMeasures::Prepared> ViewMeasures::prepare(const Inputs& inputs, const Task& task) {
     auto prepared = std::make_shared<Prepared>();
-    const widgets::ViewSnapshot& view = inputs.view;
+    const widgets::ViewSnapshot& view = inputs.views.front();
     const metrics::MeasureParams params;
     prepared->scene = view.scene;
     prepared->rays =
         inputs.rays ? inputs.rays : std::make_shared<const scene::RayScene>(view.scene, task.part(0, 0.1));
-    scene::GBuffer gbuffer =
+    const scene::GBuffer gbuffer =
         scene::castGBuffer(prepared->rays->with(view.scene.occlusion), view.scene.lights, view.camera,
                            view.pixels.width(), view.pixels.height(), task.part(0.1, 0.3));
     // Only what lies wholly on an object is measured, so what is behind doesn't matter.
-    prepared->view.picture =
-        methods::over(widgets::shaded(view, gbuffer, 1, task.part(0.3, 0.5)).picture, view.background);
-    prepared->view.objects = std::move(gbuffer.objectId);
-    prepared->view.light = std::move(gbuffer.light);
+    for (const widgets::ViewSnapshot& one : inputs.views)
+        prepared->views.push_back(
+            {methods::over(widgets::shaded(one, gbuffer, 1, task.part(0.3, 0.5)).picture, one.background),
+             gbuffer.objectId, gbuffer.light});
     prepared->strips = inputs.strips;
     prepared->pictures.resize(view.scene.objects.size());
     for (Strip& strip : prepared->strips) {
@@ -178,7 +187,8 @@ std::shared_ptr<const ViewMeasures::Prepared> ViewMeasures::prepare(const Inputs
         for (std::size_t object = 1; object < strip.measured.wears.size(); ++object)
             if (strip.measured.wears[object]) prepared->pictures[object - 1] = picture;
     }
-    prepared->measure = measureView(prepared->view, prepared->measured, params, task.part(0.8, 1)).measure;
+    for (const MeasuredView& one : prepared->views)
+        prepared->measures.push_back(measureView(one, prepared->measured, params, task.part(0.8, 1)).measure);
     return prepared;
 }
 
@@ -188,7 +198,6 @@ void ViewMeasures::take(const std::shared_ptr<const Prepared>& prepared) {
     m_raysScene = prepared->scene;
     m_indices.clear();
     for (const Strip& strip : prepared->strips) m_indices.emplace(strip.key, strip.measured.index);
-    m_measure = prepared->measure;
     Q_EMIT measureChanged();
     if (m_map != Map::None) startMaps(coarseStep);
 }
@@ -216,20 +225,35 @@ void ViewMeasures::startMaps(int step) {
 std::shared_ptr<const ViewMeasures::Maps> ViewMeasures::makeMaps(const Prepared& prepared, int step,
                                                                  const Task& task) {
     const metrics::MeasureParams params;
-    ViewMaps found = mapView(prepared.view, prepared.measured, step, params.neighbours, task);
-    const auto made = [&](const QString& title, ScalarImage values) {
+    std::vector<ViewMaps> found;
+    for (const MeasuredView& view : prepared.views) {
+        const double count = double(prepared.views.size()), done = double(found.size());
+        found.push_back(mapView(view, prepared.measured, step, params.neighbours,
+                                task.part(done / count, (done + 1) / count)));
+    }
+    return std::make_shared<const Maps>(
+        Maps{heatMapsOf(prepared, found, tr("Similarity error"), &ViewMaps::similarity),
+             heatMapsOf(prepared, found, tr("Shading error"), &ViewMaps::shadingError)});
+}
+
+/// Of one of the errors, all in the same colours.
+ViewMeasures::HeatMaps ViewMeasures::heatMapsOf(const Prepared& prepared, const std::vector<ViewMaps>& found,
+                                                const QString& title, ScalarImage ViewMaps::*values) {
+    float most = 0;
+    for (const ViewMaps& one : found) most = std::max(most, metrics::heatMapEnd(one.*values));
+    HeatMaps maps;
+    for (std::size_t view = 0; view < found.size(); ++view) {
         auto map = std::make_shared<widgets::HeatMap>();
         map->title = title;
-        map->most = metrics::heatMapEnd(values);
-        map->values = std::move(values);
-        map->best = found.best;
-        map->objects = prepared.view.objects;
+        map->most = most;
+        map->values = found[view].*values;
+        map->best = found[view].best;
+        map->objects = prepared.views[view].objects;
         map->strips = prepared.pictures;
         map->paint();
-        return std::shared_ptr<const widgets::HeatMap>(std::move(map));
-    };
-    return std::make_shared<const Maps>(Maps{made(tr("Similarity error"), std::move(found.similarity)),
-                                             made(tr("Shading error"), std::move(found.shadingError))});
+        maps.push_back(std::move(map));
+    }
+    return maps;
 }
 
 void ViewMeasures::fail(const QString& message) {

@@ -18,7 +18,8 @@ class JobRunner;
 class Paints;
 
 /// How well what the viewport shows resembles the strips (§5.1, §5.2): two figures from some pixels, and if
-/// wanted maps of every pixel. Made in the background once the picture rests; whatever changes it drops them.
+/// wanted maps of every pixel; of each method's picture where it compares several. Made in the background
+/// once the picture rests; whatever changes it drops them.
 ///
 /// The picture that is measured is core's, of what the viewport shows and as large: the light and the object
 /// of each of its pixels are then exactly known, nothing is read back from the graphics card while the window
@@ -30,8 +31,10 @@ public:
     /// The jobs' slot that it measures in.
     static constexpr const char* slot = "view measures";
     enum class Map { None, Similarity, Shading };
-    /// Tells what the viewport shows. Called on the GUI thread.
-    using Source = std::function<widgets::ViewSnapshot()>;
+    /// Tells what the viewport shows: views that differ in their method alone. Called on the GUI thread.
+    using Source = std::function<std::vector<widgets::ViewSnapshot>()>;
+
+    using HeatMaps = std::vector<std::shared_ptr<const widgets::HeatMap>>;
 
     ViewMeasures(JobRunner& jobs, Paints& paints, Source source, QObject* parent = nullptr);
 
@@ -41,10 +44,12 @@ public:
     void setMap(Map map);
     Map map() const { return m_map; }
 
-    /// Of the picture as it is now; none while it is not known.
-    const std::optional<metrics::FrameMeasure>& measure() const { return m_measure; }
-    /// The wanted map; null while there is none. A coarse one comes first.
-    std::shared_ptr<const widgets::HeatMap> heatMap() const;
+    /// Of the picture as it is now; none while it is not known, or where there is no such picture.
+    std::optional<metrics::FrameMeasure> measure(std::size_t picture = 0) const;
+    /// The wanted map; null while there is none. A coarse one comes first. Those of several pictures show the
+    /// same values in the same colours.
+    std::shared_ptr<const widgets::HeatMap> heatMap(std::size_t picture = 0) const;
+    HeatMaps heatMaps() const;
     bool isMapFinal() const { return m_isMapFinal; }
     /// Why there are no figures: a sentence; else empty.
     const QString& problem() const { return m_problem; }
@@ -75,6 +80,8 @@ private:
     void fail(const QString& message);
     static std::shared_ptr<const Prepared> prepare(const Inputs& inputs, const Task& task);
     static std::shared_ptr<const Maps> makeMaps(const Prepared& prepared, int step, const Task& task);
+    static HeatMaps heatMapsOf(const Prepared& prepared, const std::vector<ViewMaps>& found,
+                               const QString& title, ScalarImage ViewMaps::*values);
 
     JobRunner& m_jobs;
     Paints& m_paints;
@@ -83,7 +90,6 @@ private:
     Map m_map = Map::None;
     QTimer m_rest;
     std::shared_ptr<const Prepared> m_prepared;  ///< of the picture as it is now
-    std::optional<metrics::FrameMeasure> m_measure;
     std::shared_ptr<const Maps> m_maps;
     bool m_isMapFinal = false;
     int m_mapJob = 0;  ///< its number; 0: none

@@ -18,12 +18,13 @@ widgets::ViewMarks::Triangle cornersOf(const views::Surface& surface, std::uint3
 
 }  // namespace
 
-ViewOverlays::ViewOverlays(ViewPlanningDock& dock, ViewPlans& plans, Meshes& meshes,
+ViewOverlays::ViewOverlays(ViewPlanningDock& dock, JobRunner& jobs, ViewPlans& plans, Meshes& meshes,
                            widgets::Viewport& viewport, QObject* parent)
     : QObject(parent),
       m_dock(dock),
       m_plans(plans),
       m_meshes(meshes),
+      m_faceGroups(jobs, plans, viewport, nullptr),
       m_overlay(new widgets::OverlayViews(&viewport)) {
     m_frames = makeAction("view-frames", tr("&View Frames"),
                           tr("Show in the viewport where the object's views are"), "overlay/views");
@@ -31,9 +32,20 @@ ViewOverlays::ViewOverlays(ViewPlanningDock& dock, ViewPlans& plans, Meshes& mes
         makeAction("later-faces", tr("&Uncovered Faces"),
                    tr("Show in the viewport which faces the first pass leaves, through what hides them"),
                    "overlay/uncovered");
+    m_groups = makeAction("face-groups", tr("Face &Groups"),
+                          tr("Show in the viewport which view each face belongs to, by its colour"),
+                          "overlay/groups");
+    connect(&m_faceGroups, &FaceGroups::pictureChanged, m_overlay,
+            [this] { m_overlay->setPicture(m_faceGroups.picture()); });
     connect(&dock, &ViewPlanningDock::shownViewsChanged, this, &ViewOverlays::show);
     connect(&viewport, &widgets::Viewport::viewChanged, this,
             [this, &viewport] { m_overlay->setCamera(viewport.camera()); });
+    connect(&viewport, &widgets::Viewport::panesChanged, this, [this, &viewport] {
+        std::vector<QRectF> places;  // pictures that lie over each other are marked once
+        for (const widgets::Pane& pane : viewport.panes())
+            if (places.empty() || places.back() != pane.rect) places.push_back(pane.rect);
+        m_overlay->setPanes(std::move(places));
+    });
     connect(&meshes, &Meshes::sceneChanged, this, &ViewOverlays::show);  // the object may be moved
     m_overlay->setCamera(viewport.camera());
     show();
@@ -54,12 +66,14 @@ QAction* ViewOverlays::makeAction(const char* icon, const QString& text, const Q
 }
 
 void ViewOverlays::show() {
-    if (!m_frames || !m_faces) return;
-    const bool isWanted = m_frames->isChecked() || m_faces->isChecked();
+    if (!m_frames || !m_faces || !m_groups) return;
+    const bool isMarking = m_frames->isChecked() || m_faces->isChecked();
+    const bool isWanted = isMarking || m_groups->isChecked();
     m_plans.setWanted(this, isWanted);
     const std::vector<scene::Object> objects = m_meshes.scene().objects;
     const int object = m_dock.currentObject();
     const bool isKnown = object >= 0 && object < int(objects.size()) && m_dock.list().plan();
+    m_faceGroups.setWanted(m_groups->isChecked());
     m_overlay->setVisible(isWanted && isKnown);
     if (!isWanted || !isKnown) return;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/face_groups.h"
 #include "widgets/viewport/overlay_views.h"
 
 #include <QObject>
@@ -16,18 +17,20 @@ class Meshes;
 class ViewPlanningDock;
 class ViewPlans;
 
-/// Marks the current object's views, and the faces that their first pass left, over the viewport. Two
-/// switches, for the View menu and the dock; what they were is remembered.
+/// Marks the current object's views, and the faces that their first pass left, over the viewport, and shows
+/// all objects' faces in the colours of their views. Three switches, for the View menu and the dock; what
+/// they were is remembered.
 class ViewOverlays : public QObject {
     Q_OBJECT
 
 public:
     /// The overlay belongs to the viewport.
-    ViewOverlays(ViewPlanningDock& dock, ViewPlans& plans, Meshes& meshes, widgets::Viewport& viewport,
-                 QObject* parent);
+    ViewOverlays(ViewPlanningDock& dock, JobRunner& jobs, ViewPlans& plans, Meshes& meshes,
+                 widgets::Viewport& viewport, QObject* parent);
 
-    QAction* framesAction() const { return m_frames; }
-    QAction* facesAction() const { return m_faces; }
+    /// View frames, uncovered faces, face groups.
+    QList<QAction*> actions() const { return {m_frames, m_faces, m_groups}; }
+    const FaceGroups& faceGroups() const { return m_faceGroups; }
     widgets::OverlayViews* overlay() const { return m_overlay; }
 
 private:
@@ -37,9 +40,11 @@ private:
     ViewPlanningDock& m_dock;
     ViewPlans& m_plans;
     Meshes& m_meshes;
+    FaceGroups m_faceGroups;
     widgets::OverlayViews* m_overlay = nullptr;
     QAction* m_frames = nullptr;
     QAction* m_faces = nullptr;
+    QAction* m_groups = nullptr;
 };
 
 }  // namespace chiaro::app

@@ -54,7 +54,7 @@ void ViewPlans::setWanted(const QObject* who, bool wanted) {
 }
 
 bool ViewPlans::isWanted() const {
-    return !m_wanting.empty() || project::renderMethod(m_document.project().method).usesViews;
+    return !m_wanting.empty() || m_document.shows(&project::RenderMethod::usesViews);
 }
 
 std::shared_ptr<const CoveredPlan> ViewPlans::plan(int object) const {

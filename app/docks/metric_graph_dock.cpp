@@ -152,7 +152,7 @@ void MetricGraphDock::setTab(Tab tab) {
 }
 
 void MetricGraphDock::showView() {
-    const auto& measure = m_measures.measure();
+    const auto measure = m_measures.measure();
     const QString none = m_measures.isLive() ? tr("…") : tr("–");
     const bool isShown = m_measures.isLive() && measure;
     m_similarity->setText(isShown ? figure(measure->similarity) : none);

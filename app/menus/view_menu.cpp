@@ -1,5 +1,7 @@
 #include "app/menus/view_menu.h"
 
+#include "app/camera_moves.h"
+#include "app/compare_tools.h"
 #include "app/menus/menu_entry.h"
 #include "app/metric_tools.h"
 #include "app/view_overlays.h"
@@ -9,12 +11,15 @@
 
 namespace chiaro::app {
 
-ViewMenu::ViewMenu(widgets::Viewport& viewport, const ViewOverlays& overlays, const MetricTools& metrics,
-                   QWidget& window)
+ViewMenu::ViewMenu(widgets::Viewport& viewport, CompareTools& compare, const CameraMoves& moves,
+                   const ViewOverlays& overlays, const MetricTools& metrics, QWidget& window)
     : QMenu(tr("&View"), &window), m_viewport(viewport) {
     addEntry(*this, "frame", tr("&Frame All"), QKeySequence("Home"), [this] { m_viewport.frameAll(); });
+    addActions({moves.previousAction(), moves.nextAction()});
     addNavigation();
-    addActions({overlays.framesAction(), overlays.facesAction()});
+    compare.addTo(*this);
+    addSeparator();
+    addActions(overlays.actions());
     addSeparator();
     metrics.addTo(*this);
     addSeparator();

@@ -8,6 +8,8 @@ class Viewport;
 
 namespace chiaro::app {
 
+class CameraMoves;
+class CompareTools;
 class MetricTools;
 class ViewOverlays;
 
@@ -17,8 +19,8 @@ class ViewMenu : public QMenu {
 
 public:
     /// Lists the docks that `window` has by now.
-    ViewMenu(widgets::Viewport& viewport, const ViewOverlays& overlays, const MetricTools& metrics,
-             QWidget& window);
+    ViewMenu(widgets::Viewport& viewport, CompareTools& compare, const CameraMoves& moves,
+             const ViewOverlays& overlays, const MetricTools& metrics, QWidget& window);
 
 Q_SIGNALS:
     void resetLayoutWanted();

@@ -36,9 +36,10 @@ int threadsOfProcess() {
 struct Work {
     Studio studio;
     widgets::ViewState state;
-    app::ViewMeasures measures{studio.jobs, studio.paints, [this] {
-                                   return widgets::ViewSnapshot::of(state, {320, 240});
-                               }};
+    app::ViewMeasures measures{
+        studio.jobs, studio.paints, [this] {
+            return std::vector{widgets::ViewSnapshot::of(state, state.method(), {320, 240})};
+        }};
     app::MethodComparison comparison{studio.document, studio.jobs, studio.meshes};
     app::DistortionStudy study{studio.jobs, studio.paints};
     scene::Camera camera;

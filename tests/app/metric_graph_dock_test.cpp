@@ -29,9 +29,9 @@ struct Graph {
     app::MethodComparison comparison{studio.document, studio.jobs, studio.meshes};
     app::DistortionStudy study{studio.jobs, studio.paints};
     widgets::ViewState state;
-    app::ViewMeasures measures{studio.jobs, studio.paints, [this] {
-                                   return widgets::ViewSnapshot::of(state, {64, 64});
-                               }};
+    app::ViewMeasures measures{
+        studio.jobs, studio.paints,
+        [this] { return std::vector{widgets::ViewSnapshot::of(state, state.method(), {64, 64})}; }};
     QMainWindow window;
     MetricGraphDock* dock = new MetricGraphDock(studio.jobs, comparison, study, measures);
 

@@ -117,7 +117,7 @@ class ResponsivenessTest : public QObject {
         }
         if (!open({test::writeStrip(m_folder / "strip.png", 320, 96), mesh})) return false;
         std::size_t faces = 0;
-        for (const scene::Object& object : m_window->viewport().snapshot().scene.objects)
+        for (const scene::Object& object : m_window->viewport().snapshots().front().scene.objects)
             faces += object.mesh->triangles.size();
         qInfo("%zu faces", faces);
         return faces >= 490'000;

@@ -16,7 +16,7 @@ struct Measured {
     Studio studio;
     widgets::ViewState state;
     int looks = 0;  ///< how often it was asked what is shown
-    ViewMeasures measures{studio.jobs, studio.paints, [this] { return snapshot(); }};
+    ViewMeasures measures{studio.jobs, studio.paints, [this] { return snapshots(); }};
     QSignalSpy told{&measures, &ViewMeasures::measureChanged};
 
     explicit Measured(const test::TemporaryFolder& folder) {
@@ -30,9 +30,12 @@ struct Measured {
         state.setPaint(0, {studio.paints.state(0).levels, studio.paints.gradient(0)});
         measures.restart();
     }
-    widgets::ViewSnapshot snapshot() {
+    std::vector<widgets::ViewSnapshot> snapshots() {
         ++looks;
-        return widgets::ViewSnapshot::of(state, {160, 160});
+        std::vector<widgets::ViewSnapshot> snapshots;
+        for (const std::string& method : state.shownMethods())
+            snapshots.push_back(widgets::ViewSnapshot::of(state, method, {160, 160}));
+        return snapshots;
     }
     /// Waits until a map is being made, and does something in that moment.
     bool onceAMapIsMade(const std::function<void()>& act) {

@@ -188,7 +188,7 @@ struct Bench {
 
     void drawPainted() {
         state.follow(frameSize);
-        painted.draw(gl, state, frameSize, target->handle());
+        painted.draw(gl, state, state.method(), frameSize, target->handle());
     }
 
     /// While the camera orbits, after it was moved closer by `zoom`.

@@ -106,7 +106,7 @@ void ViewportCpuTest::aSnapshotIsWhatIsShown() {
     scene::Camera camera = m_viewport->camera();
     camera.azimuth += 7;
     m_viewport->setCamera(camera);
-    const ViewSnapshot snapshot = m_viewport->snapshot();
+    const ViewSnapshot snapshot = m_viewport->snapshots().front();
     const scene::RayScene rays(snapshot.scene);
     const scene::GBuffer gbuffer = scene::castGBuffer(rays, snapshot.scene.lights, snapshot.camera,
                                                       snapshot.pixels.width(), snapshot.pixels.height());

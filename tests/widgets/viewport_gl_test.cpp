@@ -440,7 +440,7 @@ void ViewportGlTest::fadesFromTextureToTexture() {
         state.viewTexture = shown;
         state.earlierTexture = earlier;
         state.earlierWeight = weight;
-        drawer.draw(gl, state, pixels, target.handle());
+        drawer.draw(gl, state, state.method(), pixels, target.handle());
         return target.toImage().convertToFormat(QImage::Format_RGB32);
     };
     using Texture = std::shared_ptr<const ViewTexture>;

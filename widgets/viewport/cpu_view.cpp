@@ -1,5 +1,6 @@
 #include "widgets/viewport/cpu_view.h"
 
+#include "widgets/viewport/pane_gap.h"
 #include "widgets/viewport/view_snapshot.h"
 
 #include <QElapsedTimer>
@@ -13,6 +14,11 @@ namespace chiaro::widgets {
 namespace {
 
 constexpr int coarse = 4;  // pixels a side that a coarse picture's pixel stands for
+
+QColor toQColor(glm::vec3 color) {
+    const glm::ivec3 bytes(color * 255.0f + 0.5f);
+    return {bytes.r, bytes.g, bytes.b};
+}
 
 QImage toQImage(const ColorImage& picture) {
     QImage image(picture.width(), picture.height(), QImage::Format_RGB32);
@@ -29,8 +35,8 @@ QImage toQImage(const ColorImage& picture) {
 }  // namespace
 
 struct CpuView::Job {
-    ViewSnapshot view;
-    Rays rays;  ///< null: to be built
+    std::vector<ViewSnapshot> views;  ///< one a method; else alike
+    Rays rays;                        ///< null: to be built
     std::stop_token stopFine;
     std::stop_token stopAll;
 };
@@ -64,8 +70,12 @@ CpuView::Job CpuView::jobOfNow() {
     m_raysScene = m_state.scene();
     m_stopFine = {};
     m_stopAll = {};
-    return {ViewSnapshot::of(m_state, size() * devicePixelRatioF()), m_rays, m_stopFine.get_token(),
-            m_stopAll.get_token()};
+    const double ratio = devicePixelRatioF();
+    const QSize pixels = paneRects(m_state.composition(), size() * ratio, ratio).front().size();
+    Job job{{}, m_rays, m_stopFine.get_token(), m_stopAll.get_token()};
+    for (const std::string& method : m_state.shownMethods())
+        job.views.push_back(ViewSnapshot::of(m_state, method, pixels));
+    return job;
 }
 
 void CpuView::start() {
@@ -78,20 +88,29 @@ CpuView::Result CpuView::rendered(const Job& job, const Rays& rays, int coarsene
     QElapsedTimer timer;
     timer.start();
     const Task task(stop);
-    const ViewSnapshot& view = job.view;
+    const ViewSnapshot& view = job.views.front();
     const QSize size(std::max(1, view.pixels.width() / coarseness),
                      std::max(1, view.pixels.height() / coarseness));
     const scene::GBuffer gbuffer = scene::castGBuffer(rays->with(view.scene.occlusion), view.scene.lights,
                                                       view.camera, size.width(), size.height(), task);
-    const methods::Frame frame = shaded(view, gbuffer, coarseness, task);
-    const QImage image = toQImage(methods::over(frame.picture, view.background));
-    return {rays, image, double(timer.nsecsElapsed()) * 1e-6, coarseness == 1};
+    const auto elapsed = [&timer] { return double(timer.nsecsElapsed()) * 1e-6; };
+    Result result{rays, {}, {}, elapsed(), coarseness == 1};
+    const double casting = result.milliseconds;
+    for (const ViewSnapshot& one : job.views) {
+        const double start = elapsed();
+        const methods::Frame frame = shaded(one, gbuffer, coarseness, task);
+        result.images.push_back(toQImage(methods::over(frame.picture, one.background)));
+        result.times.push_back(casting + elapsed() - start);
+    }
+    result.milliseconds = elapsed();
+    return result;
 }
 
 void CpuView::run(QPromise<Result>& promise, const Job& job) {
     try {
         const Rays rays =
-            job.rays ? job.rays : std::make_shared<const scene::RayScene>(job.view.scene, Task(job.stopAll));
+            job.rays ? job.rays
+                     : std::make_shared<const scene::RayScene>(job.views.front().scene, Task(job.stopAll));
         promise.addResult(rendered(job, rays, coarse, job.stopAll));
         promise.addResult(rendered(job, rays, 1, job.stopFine));
     } catch (const Cancelled&) {
@@ -104,9 +123,23 @@ void CpuView::run(QPromise<Result>& promise, const Job& job) {
 void CpuView::take(int index) {
     const Result result = m_watcher.resultAt(index);
     m_rays = result.rays;
-    m_image = result.image;
-    update();
+    show(result);
     if (result.fine) Q_EMIT frameDrawn(result.milliseconds);
+}
+
+void CpuView::show(const Result& result) {
+    m_images = result.images;
+    if (result.fine) m_times = result.times;
+    recompose();
+}
+
+void CpuView::recompose() {
+    // Pictures of other methods than now are not to be mistaken for these: those on their way replace them.
+    if (m_images.size() != m_state.composition().shownCount()) return;
+    const double ratio = devicePixelRatioF();
+    m_image = composed(m_state.composition(), m_images, size() * ratio, ratio,
+                       toQColor(gapColor(m_state.background)));
+    update();
 }
 
 QImage CpuView::picture() {
@@ -115,16 +148,15 @@ QImage CpuView::picture() {
     m_watcher.setFuture({});  // what it still had to say is older
     m_stale = false;
     const Job job = jobOfNow();
-    if (job.view.pixels.isEmpty()) return {};
-    if (!m_rays) m_rays = std::make_shared<const scene::RayScene>(job.view.scene);
-    m_image = rendered(job, m_rays, 1, {}).image;
+    if (job.views.front().pixels.isEmpty()) return {};
+    if (!m_rays) m_rays = std::make_shared<const scene::RayScene>(job.views.front().scene);
+    show(rendered(job, m_rays, 1, {}));
     return m_image;
 }
 
 void CpuView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    const glm::ivec3 background(m_state.background * 255.0f + 0.5f);
-    painter.fillRect(rect(), QColor(background.r, background.g, background.b));
+    painter.fillRect(rect(), toQColor(m_state.background));
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     if (!m_image.isNull()) painter.drawImage(rect(), m_image);
 }

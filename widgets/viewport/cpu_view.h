@@ -14,7 +14,8 @@ namespace chiaro::widgets {
 
 /// Shows the CPU renderer's pictures of a state where there is no OpenGL: rendered in the background, first a
 /// coarse one, then the fine one. A change during a rendering drops its fine picture and is rendered next;
-/// the coarse one is always shown, so that the picture moves while the mouse does.
+/// the coarse one is always shown, so that the picture moves while the mouse does. Rays are cast once however
+/// many methods are compared.
 class CpuView : public QWidget {
     Q_OBJECT
 
@@ -25,8 +26,12 @@ public:
 
     /// The state changed: renders it soon.
     void refresh();
+    /// The methods' pictures are the same, but lie together otherwise.
+    void recompose();
     /// The fine picture of the state as it is now, in device pixels; waits for it.
     QImage picture();
+    /// What each of the shown methods took in the last fine picture, ms.
+    const std::vector<double>& methodTimes() const { return m_times; }
 
 Q_SIGNALS:
     void frameDrawn(double milliseconds);  ///< after the fine picture
@@ -40,7 +45,8 @@ private:
     struct Job;
     struct Result {
         Rays rays;
-        QImage image;
+        std::vector<QImage> images;  ///< one a method
+        std::vector<double> times;   ///< theirs, ms, each with the rays
         double milliseconds = 0;
         bool fine = false;
     };
@@ -48,6 +54,7 @@ private:
     Job jobOfNow();
     void start();
     void take(int index);
+    void show(const Result& result);
     static Result rendered(const Job& job, const Rays& rays, int coarseness, std::stop_token stop);
     static void run(QPromise<Result>& promise, const Job& job);
 
@@ -59,7 +66,9 @@ private:
     std::stop_source m_stopAll;
     scene::Scene m_raysScene;  ///< what m_rays holds, or what is being built
     Rays m_rays;
-    QImage m_image;
+    std::vector<QImage> m_images;  ///< one a shown method, all of one size
+    std::vector<double> m_times;
+    QImage m_image;  ///< of them together
 };
 
 }  // namespace chiaro::widgets

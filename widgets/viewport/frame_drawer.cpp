@@ -56,9 +56,9 @@ void FrameDrawer::shade(Gl& gl, MethodDrawer& method, std::size_t pass, int samp
     program->release();
 }
 
-bool FrameDrawer::draw(Gl& gl, const ViewState& state, QSize pixels, GLuint target,
+bool FrameDrawer::draw(Gl& gl, const ViewState& state, const std::string& key, QSize pixels, GLuint target,
                        GlPaints::Pending pending) {
-    MethodDrawer& method = *m_methods.at(state.method());
+    MethodDrawer& method = *m_methods.at(key);
     bool complete = m_paints.sync(gl, state, method.usesLevels(), pending);
     complete &= method.sync(gl, state, pending);
     const std::vector<MethodDrawer::Pass> passes = method.prepare(gl, state, m_paints, pixels);

@@ -8,7 +8,7 @@
 
 namespace chiaro::widgets {
 
-/// Draws a state by its method: the picture of core's renderer to within 2/255 on average inside the objects.
+/// Draws a state by any method: the picture of core's renderer to within 2/255 on average inside the objects.
 /// First the G-buffer, then the passes of the method over the picture. Every call needs the context
 /// current.
 class FrameDrawer {
@@ -18,9 +18,9 @@ public:
 
     /// False when the driver refuses; why is in the log.
     bool initialize(Gl& gl);
-    /// Fills the framebuffer `target` of so many pixels. False when it shows a paint that another is about to
-    /// take the place of: draw again soon.
-    bool draw(Gl& gl, const ViewState& state, QSize pixels, GLuint target,
+    /// Fills the framebuffer `target` of so many pixels by one of drawnMethods(). False when it shows a paint
+    /// that another is about to take the place of: draw again soon.
+    bool draw(Gl& gl, const ViewState& state, const std::string& method, QSize pixels, GLuint target,
               GlPaints::Pending pending = GlPaints::Pending::Await);
     void release(Gl& gl);
 
@@ -36,7 +36,7 @@ private:
 
     GlGBuffer m_gbuffer;
     GlPaints m_paints;
-    std::map<std::string, std::unique_ptr<MethodDrawer>> m_methods;  ///< by ViewState::method
+    std::map<std::string, std::unique_ptr<MethodDrawer>> m_methods;  ///< by drawnMethods()
     GLuint m_noAttributes = 0;  ///< a vertex array, which drawing needs even without attributes
 };
 

@@ -1,5 +1,7 @@
 #include "widgets/viewport/gl_view.h"
 
+#include "widgets/viewport/pane_gap.h"
+
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
 #include <QScopeGuard>
@@ -28,7 +30,7 @@ GlView::~GlView() {
 void GlView::initializeGL() {
     m_gl = QOpenGLVersionFunctionsFactory::get<Gl>(context());
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlView::releaseGl);
-    if (m_gl && m_drawer.initialize(*m_gl)) return;
+    if (m_gl && m_drawer.initialize(*m_gl) && m_compared.initialize(*m_gl)) return;
     m_gl = nullptr;
     QMetaObject::invokeMethod(this, &GlView::failed, Qt::QueuedConnection);
 }
@@ -37,6 +39,7 @@ void GlView::releaseGl() {
     if (!m_gl) return;
     makeCurrent();
     m_drawer.release(*m_gl);
+    m_compared.release(*m_gl);
     m_gl = nullptr;
     doneCurrent();
 }
@@ -46,11 +49,7 @@ void GlView::paintGL() {
     QElapsedTimer timer;
     timer.start();
     const QSize pixels = size() * devicePixelRatioF();
-    m_state.follow(pixels);
-    stepFade();
-    const bool complete = m_drawer.draw(*m_gl, m_state, pixels, defaultFramebufferObject(), m_pending);
-    // So that the figure is the frame's and not the queue's; the window has nothing else to draw meanwhile.
-    m_gl->glFinish();
+    const bool complete = drawMethods(pixels);
     const double milliseconds = double(timer.nsecsElapsed()) * 1e-6;
     m_lastMilliseconds = milliseconds;
     if (m_state.earlierTexture)
@@ -59,6 +58,35 @@ void GlView::paintGL() {
     // Told later: who listens may do what must not be done while painting.
     QMetaObject::invokeMethod(
         this, [this, milliseconds] { Q_EMIT frameDrawn(milliseconds); }, Qt::QueuedConnection);
+}
+
+bool GlView::drawMethods(QSize pixels) {
+    const std::vector<std::string> methods = m_state.shownMethods();
+    const QSize size = paneRects(m_state.composition(), pixels, devicePixelRatioF()).front().size();
+    m_state.follow(size);
+    stepFade();
+    m_times.clear();
+    if (methods.size() == 1) {
+        m_compared.reserve(*m_gl, 0, {});
+        return drawMethod(methods.front(), pixels, defaultFramebufferObject());
+    }
+    m_compared.reserve(*m_gl, methods.size(), size);
+    bool complete = true;
+    for (std::size_t i = 0; i < methods.size(); ++i)
+        complete &= drawMethod(methods[i], size, m_compared.target(i));
+    m_compared.show(*m_gl, m_state.composition(), pixels, devicePixelRatioF(), gapColor(m_state.background),
+                    defaultFramebufferObject());
+    return complete;
+}
+
+bool GlView::drawMethod(const std::string& method, QSize pixels, GLuint target) {
+    QElapsedTimer timer;
+    timer.start();
+    const bool complete = m_drawer.draw(*m_gl, m_state, method, pixels, target, m_pending);
+    // So that the figure is the frame's and not the queue's; the window has nothing else to draw meanwhile.
+    m_gl->glFinish();
+    m_times.push_back(double(timer.nsecsElapsed()) * 1e-6);
+    return complete;
 }
 
 void GlView::fadeTexture() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/viewport/frame_drawer.h"
+#include "widgets/viewport/gl_composition.h"
 #include "widgets/viewport/view_state.h"
 
 #include <QElapsedTimer>
@@ -21,6 +22,8 @@ public:
 
     /// The state as it is now, in device pixels.
     QImage picture();
+    /// What each of the shown methods took in the last frame, ms.
+    const std::vector<double>& methodTimes() const { return m_times; }
     /// The state's view texture is new: it fades in over the earlier one, where frames are quick enough for
     /// that to be seen.
     void fadeTexture();
@@ -36,10 +39,14 @@ protected:
 private:
     void releaseGl();
     void stepFade();
+    bool drawMethods(QSize pixels);
+    bool drawMethod(const std::string& method, QSize pixels, GLuint target);
 
     ViewState& m_state;
     Gl* m_gl = nullptr;  ///< the current context's, null when it can't draw
     FrameDrawer m_drawer;
+    GlComposition m_compared;
+    std::vector<double> m_times;
     QElapsedTimer m_fade;  ///< since the view texture is new
     double m_lastMilliseconds = 0;
     GlPaints::Pending m_pending = GlPaints::Pending::Show;

@@ -63,12 +63,28 @@ HeatOverlay::HeatOverlay(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Heat map"));
 }
 
-void HeatOverlay::setMap(std::shared_ptr<const HeatMap> map) {
-    if (map == m_map) return;
-    m_map = std::move(map);
-    setAccessibleDescription(m_map ? tr("%1, 0 to %2").arg(m_map->title).arg(double(m_map->most))
+void HeatOverlay::setMaps(std::vector<std::shared_ptr<const HeatMap>> maps) {
+    if (maps == m_maps) return;
+    m_maps = std::move(maps);
+    setAccessibleDescription(map() ? tr("%1, 0 to %2").arg(map()->title).arg(double(map()->most))
                                    : QString());
     update();
+}
+
+void HeatOverlay::setPanes(std::vector<Pane> panes) {
+    m_panes = std::move(panes);
+    update();
+}
+
+std::vector<Pane> HeatOverlay::panes() const {
+    return m_panes.empty() ? std::vector{Pane{rect(), QPolygonF(QRectF(rect()))}} : m_panes;
+}
+
+std::optional<std::size_t> HeatOverlay::mapAt(QPointF position) const {
+    const std::vector<Pane> all = panes();
+    for (std::size_t pane = 0; pane < std::min(all.size(), m_maps.size()); ++pane)
+        if (all[pane].seen.containsPoint(position, Qt::OddEvenFill)) return pane;
+    return std::nullopt;
 }
 
 void HeatOverlay::setProgress(const QString& text, std::optional<double> progress) {
@@ -81,18 +97,22 @@ void HeatOverlay::setProgress(const QString& text, std::optional<double> progres
 }
 
 std::optional<HeatOverlay::Reading> HeatOverlay::reading(QPointF position) const {
-    if (!m_map) return std::nullopt;
-    const glm::ivec2 pixel(int(std::floor(position.x() * m_map->values.width() / std::max(width(), 1))),
-                           int(std::floor(position.y() * m_map->values.height() / std::max(height(), 1))));
-    if (!m_map->values.contains(pixel.x, pixel.y)) return std::nullopt;
-    const float value = m_map->values(pixel.x, pixel.y);
+    const auto pane = mapAt(position);
+    if (!pane || !m_maps[*pane]) return std::nullopt;
+    const HeatMap& map = *m_maps[*pane];
+    const QRectF rect = panes()[*pane].rect;
+    const QPointF at = position - rect.topLeft();
+    const glm::ivec2 pixel(int(std::floor(at.x() * map.values.width() / std::max(rect.width(), 1.0))),
+                           int(std::floor(at.y() * map.values.height() / std::max(rect.height(), 1.0))));
+    if (!map.values.contains(pixel.x, pixel.y)) return std::nullopt;
+    const float value = map.values(pixel.x, pixel.y);
     if (!(value >= 0)) return std::nullopt;
-    return Reading{value, m_map->objects(pixel.x, pixel.y), glm::ivec2(m_map->best(pixel.x, pixel.y))};
+    return Reading{value, map.objects(pixel.x, pixel.y), glm::ivec2(map.best(pixel.x, pixel.y)), *pane};
 }
 
 void HeatOverlay::mouseMoveEvent(QMouseEvent* event) {
     m_pointer = event->position();
-    if (m_map) update();
+    if (map()) update();
     event->ignore();
 }
 
@@ -104,15 +124,22 @@ void HeatOverlay::leaveEvent(QEvent*) {
 void HeatOverlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
-    if (m_map) painter.drawImage(QRectF(rect()), m_map->picture);
-    if (m_map || m_progress) drawPanel(painter);
+    const std::vector<Pane> all = panes();
+    for (std::size_t pane = 0; map() && pane < std::min(all.size(), m_maps.size()); ++pane) {
+        QPainterPath seen;
+        seen.addPolygon(all[pane].seen);
+        painter.setClipPath(seen);
+        painter.drawImage(all[pane].rect, m_maps[pane]->picture);
+    }
+    painter.setClipping(false);
+    if (map() || m_progress) drawPanel(painter);
     const auto read = m_pointer ? reading(*m_pointer) : std::nullopt;
     if (read) drawReading(painter, *read);
 }
 
 QRectF HeatOverlay::panel() const {
     const double line = fontMetrics().lineSpacing();
-    const double height = 2 * padding + line + (m_map ? 6 + barHeight + 4 + line : 10);
+    const double height = 2 * padding + line + (map() ? 6 + barHeight + 4 + line : 10);
     const double boxWidth = std::min(barWidth + 2 * padding + 16, width() - 2 * margin);
     return {width() - margin - boxWidth, this->height() - margin - height, boxWidth, height};
 }
@@ -125,10 +152,10 @@ void HeatOverlay::drawPanel(QPainter& painter) const {
     const QRectF inner = box.adjusted(padding + 8, padding, -padding - 8, -padding);
     const QRectF head(inner.left(), inner.top(), inner.width(), line);
     painter.setPen(bright);
-    if (m_map) painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, m_map->title);
+    if (map()) painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, map()->title);
     if (m_progress) {
         painter.setPen(dim);
-        const Qt::AlignmentFlag side = m_map ? Qt::AlignRight : Qt::AlignLeft;
+        const Qt::AlignmentFlag side = map() ? Qt::AlignRight : Qt::AlignLeft;
         painter.drawText(head, side | Qt::AlignVCenter, m_text);
         const QRectF track(inner.left(), head.bottom() + 3, inner.width(), 2);
         painter.fillRect(track, edge);
@@ -136,7 +163,7 @@ void HeatOverlay::drawPanel(QPainter& painter) const {
         done.setWidth(track.width() * std::clamp(*m_progress, 0.0, 1.0));
         painter.fillRect(done, palette().color(QPalette::Highlight));
     }
-    if (m_map) drawBar(painter, {inner.left(), head.bottom() + 8, inner.width(), barHeight});
+    if (map()) drawBar(painter, {inner.left(), head.bottom() + 8, inner.width(), barHeight});
 }
 
 void HeatOverlay::drawBar(QPainter& painter, const QRectF& bar) const {
@@ -144,7 +171,7 @@ void HeatOverlay::drawBar(QPainter& painter, const QRectF& bar) const {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(edge, 1));
     painter.drawRect(bar);
-    const double most = double(m_map->most), step = roundStep(most, tickCount);
+    const double most = double(map()->most), step = roundStep(most, tickCount);
     for (int tick = 0; tick * step <= most * (1 + 1e-6); ++tick) {
         const double x = bar.left() + tick * step / most * bar.width();
         painter.setPen(QPen(dim, 1));
@@ -155,7 +182,7 @@ void HeatOverlay::drawBar(QPainter& painter, const QRectF& bar) const {
     const auto read = m_pointer ? reading(*m_pointer) : std::nullopt;
     if (!read) return;
     const double x =
-        bar.left() + bar.width() * std::clamp(double(read->value) / double(m_map->most), 0.0, 1.0);
+        bar.left() + bar.width() * std::clamp(double(read->value) / double(map()->most), 0.0, 1.0);
     painter.setPen(QPen(QColor(0, 0, 0), 3));
     painter.drawLine(QPointF(x, bar.top() - 1), QPointF(x, bar.bottom() + 1));
     painter.setPen(QPen(QColor(Qt::white), 1.4));
@@ -165,9 +192,10 @@ void HeatOverlay::drawBar(QPainter& painter, const QRectF& bar) const {
 /// The value under the pointer, and its best match marked in the strip.
 void HeatOverlay::drawReading(QPainter& painter, const Reading& reading) const {
     const std::size_t object = reading.object;
-    const bool hasStrip = object > 0 && object <= m_map->strips.size() &&
-                          !m_map->strips[object - 1].picture.isNull() && reading.best.x >= 0;
-    const HeatStrip strip = hasStrip ? m_map->strips[object - 1] : HeatStrip{};
+    const std::vector<HeatStrip>& strips = m_maps[reading.pane]->strips;
+    const bool hasStrip =
+        object > 0 && object <= strips.size() && !strips[object - 1].picture.isNull() && reading.best.x >= 0;
+    const HeatStrip strip = hasStrip ? strips[object - 1] : HeatStrip{};
     const double line = fontMetrics().lineSpacing();
     const double stripHeight =
         hasStrip ? std::clamp(stripWidth * strip.size.height() / strip.size.width(), 16.0, largestStripHeight)

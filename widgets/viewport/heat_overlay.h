@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/image.h"
+#include "widgets/viewport/composition.h"
 
 #include <QImage>
 #include <QWidget>
@@ -41,7 +42,11 @@ public:
     explicit HeatOverlay(QWidget* parent = nullptr);
 
     /// Null while there is none.
-    void setMap(std::shared_ptr<const HeatMap> map);
+    void setMap(std::shared_ptr<const HeatMap> map) { setMaps({std::move(map)}); }
+    /// One a pane; their colours mean the same values. None of them is null, or all are.
+    void setMaps(std::vector<std::shared_ptr<const HeatMap>> maps);
+    /// Where the pictures are that the maps are of; all of the widget at first.
+    void setPanes(std::vector<Pane> panes);
     /// What is being measured, and how far that is, in [0, 1]; none: nothing is.
     void setProgress(const QString& text, std::optional<double> progress);
 
@@ -49,6 +54,7 @@ public:
         float value = 0;
         std::uint16_t object = 0;
         glm::ivec2 best{0};
+        std::size_t pane = 0;
     };
     /// At a place of the widget; none where nothing was measured.
     std::optional<Reading> reading(QPointF position) const;
@@ -59,12 +65,17 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    const HeatMap* map() const { return m_maps.empty() ? nullptr : m_maps.front().get(); }
+    std::vector<Pane> panes() const;
+    /// Of the pane that is seen there.
+    std::optional<std::size_t> mapAt(QPointF position) const;
     QRectF panel() const;
     void drawPanel(QPainter& painter) const;
     void drawBar(QPainter& painter, const QRectF& bar) const;
     void drawReading(QPainter& painter, const Reading& reading) const;
 
-    std::shared_ptr<const HeatMap> m_map;
+    std::vector<std::shared_ptr<const HeatMap>> m_maps;
+    std::vector<Pane> m_panes;
     QString m_text;
     std::optional<double> m_progress;
     std::optional<QPointF> m_pointer;

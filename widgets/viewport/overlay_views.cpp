@@ -21,10 +21,11 @@ const QColor laterColor(0x4f, 0xc3, 0xd9);  // which no paint of wood, skin or o
 /// Object space to the widget.
 class Screen {
 public:
-    Screen(const scene::Camera& camera, const glm::mat4& transform, QSize size)
-        : m_matrix(glm::dmat4(camera.projection(std::max(size.width(), 1), std::max(size.height(), 1)) *
-                              camera.view() * transform)),
-          m_size(size) {}
+    Screen(const scene::Camera& camera, const glm::mat4& transform, const QRectF& pane)
+        : m_matrix(
+              glm::dmat4(camera.projection(std::max(int(pane.width()), 1), std::max(int(pane.height()), 1)) *
+                         camera.view() * transform)),
+          m_pane(pane) {}
 
     glm::dvec4 clip(const glm::dvec3& point) const { return m_matrix * glm::dvec4(point, 1); }
     /// Null behind the eye.
@@ -46,11 +47,12 @@ private:
     static constexpr double nearest = 1e-9;
     QPointF toWidget(const glm::dvec4& at) const {
         const double w = std::max(at.w, nearest);
-        return {(at.x / w + 1) / 2 * m_size.width(), (1 - at.y / w) / 2 * m_size.height()};
+        return m_pane.topLeft() +
+               QPointF((at.x / w + 1) / 2 * m_pane.width(), (1 - at.y / w) / 2 * m_pane.height());
     }
 
     glm::dmat4 m_matrix;
-    QSize m_size;
+    QRectF m_pane;
 };
 
 using Corners = std::array<glm::dvec3, 4>;
@@ -166,14 +168,35 @@ void OverlayViews::setMarks(ViewMarks marks) {
     update();
 }
 
+void OverlayViews::setPicture(const QImage& picture) {
+    m_picture = picture;
+    update();
+}
+
 void OverlayViews::setCamera(const scene::Camera& camera) {
     m_camera = camera;
     update();
 }
 
+void OverlayViews::setPanes(std::vector<QRectF> panes) {
+    m_panes = std::move(panes);
+    update();
+}
+
 void OverlayViews::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    const Screen screen(m_camera, m_marks.transform, size());
+    if (m_panes.empty()) return drawMarks(painter, rect());
+    for (const QRectF& pane : m_panes) {
+        painter.setClipRect(pane);
+        drawMarks(painter, pane);
+    }
+}
+
+void OverlayViews::drawMarks(QPainter& painter, const QRectF& pane) {
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    if (!m_picture.isNull()) painter.drawImage(pane, m_picture);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    const Screen screen(m_camera, m_marks.transform, pane);
     drawFaces(painter, screen, m_marks.laterFaces, laterColor);
     drawFaces(painter, screen, m_marks.unreachableFaces, unreachableColor);
     painter.setRenderHint(QPainter::Antialiasing);

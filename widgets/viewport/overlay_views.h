@@ -3,6 +3,7 @@
 #include "core/scene/camera.h"
 #include "core/views/view.h"
 
+#include <QImage>
 #include <QWidget>
 
 #include <array>
@@ -37,16 +38,24 @@ public:
     explicit OverlayViews(QWidget* viewport);
 
     void setMarks(ViewMarks marks);
+    /// Lies below the marks, over all of the picture; null: none.
+    void setPicture(const QImage& picture);
     /// The camera of the picture below.
     void setCamera(const scene::Camera& camera);
+    /// Where that picture is seen, more than once where methods are compared; all of the widget at first.
+    void setPanes(std::vector<QRectF> panes);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void drawMarks(QPainter& painter, const QRectF& pane);
+
     ViewMarks m_marks;
+    QImage m_picture;
     scene::Camera m_camera;
+    std::vector<QRectF> m_panes;
 };
 
 }  // namespace chiaro::widgets

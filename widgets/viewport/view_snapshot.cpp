@@ -40,13 +40,13 @@ methods::TextureLookup viewTextureLookup(const ViewSnapshot& snapshot, int coars
 
 }  // namespace
 
-ViewSnapshot ViewSnapshot::of(ViewState& state, QSize pixels) {
+ViewSnapshot ViewSnapshot::of(ViewState& state, const std::string& method, QSize pixels) {
     state.follow(pixels);
     ViewSnapshot snapshot{.scene = state.scene(),
                           .camera = state.camera,
                           .paints = {},
                           .placements = state.placements(),
-                          .method = state.method(),
+                          .method = method,
                           .params = state.params,
                           .viewTexture = state.viewTexture,
                           .motions = {},

@@ -5,7 +5,7 @@
 
 namespace chiaro::widgets {
 
-/// What a view shows at one moment, for another thread: values and shared immutable snapshots.
+/// What a view shows at one moment by one method, for another thread: values and shared immutable snapshots.
 struct ViewSnapshot {
     scene::Scene scene;
     scene::Camera camera;
@@ -20,8 +20,9 @@ struct ViewSnapshot {
     glm::vec3 background{0};
     QSize pixels;  ///< device pixels
 
-    /// The state as it is now, in a view of so many device pixels; textures follow what moved.
-    static ViewSnapshot of(ViewState& state, QSize pixels);
+    /// The state as it is now by one of its methods, in a picture of so many device pixels; textures follow
+    /// what moved.
+    static ViewSnapshot of(ViewState& state, const std::string& method, QSize pixels);
 };
 
 /// Whether rays meet the same surfaces in both, so that a RayScene serves both.

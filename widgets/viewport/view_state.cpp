@@ -11,6 +11,11 @@ bool samePose(const methods::ObjectView& a, const methods::ObjectView& b) {
            a.height == b.height;
 }
 
+const std::string& drawn(const std::string& key) {
+    const auto methods = drawnMethods();
+    return std::ranges::find(methods, key) != methods.end() ? key : methods.front();
+}
+
 ViewportPaint grey() {
     return {nullptr, {glm::vec3(0.12f), glm::vec3(0.92f)}};
 }
@@ -29,8 +34,24 @@ std::span<const std::string> drawnMethods() {
 ViewState::ViewState() : m_method("view-aligned") {}
 
 void ViewState::setMethod(const std::string& key) {
-    const auto methods = drawnMethods();
-    m_method = std::ranges::find(methods, key) != methods.end() ? key : methods.front();
+    m_method = drawn(key);
+}
+
+void ViewState::setComposition(Composition composition) {
+    for (std::string& method : composition.methods) method = drawn(method);
+    m_composition = std::move(composition);
+}
+
+std::vector<std::string> ViewState::shownMethods() const {
+    const std::size_t count = m_composition.shownCount();
+    if (count == 1) return {m_method};
+    const auto& methods = m_composition.methods;
+    return {methods.begin(), methods.begin() + std::ptrdiff_t(count)};
+}
+
+bool ViewState::shows(const std::string& method) const {
+    const std::vector<std::string> shown = shownMethods();
+    return std::ranges::find(shown, method) != shown.end();
 }
 
 void ViewState::setScene(const scene::Scene& scene) {

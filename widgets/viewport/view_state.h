@@ -6,6 +6,7 @@
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 #include "core/synthesis/levels.h"
+#include "widgets/viewport/composition.h"
 #include "widgets/viewport/view_texture.h"
 
 #include <QSize>
@@ -47,9 +48,16 @@ public:
     void setPaint(int sample, ViewportPaint paint);
     void setGradient(int sample, const gradient::Gradient& gradient);
 
+    /// The method that is shown while none are compared.
     const std::string& method() const { return m_method; }
     /// One of drawnMethods(); any other shows as the first of them.
     void setMethod(const std::string& key);
+    const Composition& composition() const { return m_composition; }
+    /// Its methods are of drawnMethods(); any other shows as the first of them.
+    void setComposition(Composition composition);
+    /// The methods that are seen, each in a picture of its own; one while none are compared.
+    std::vector<std::string> shownMethods() const;
+    bool shows(const std::string& method) const;
 
     /// The textures of an object's own views, null while there are none: G(L) alone is shown.
     std::shared_ptr<const methods::PaintedObject> paintedObject(std::size_t object) const;
@@ -77,6 +85,7 @@ private:
     methods::TexturePlacement followed(std::size_t object, const methods::ObjectView& now) const;
 
     std::string m_method;
+    Composition m_composition;
     scene::Scene m_scene;
     std::map<int, ViewportPaint> m_paints;
     std::vector<std::shared_ptr<const methods::PaintedObject>> m_paintedObjects;

@@ -13,7 +13,8 @@ namespace chiaro::widgets {
 
 /// The scene, live, by one of the methods (§4): turned, panned, zoomed and lit with the mouse. A frame that
 /// holds the OpenGL view, or the CPU renderer's pictures where there is no OpenGL. It knows core's types,
-/// never the document.
+/// never the document. Several methods are compared in panes, or over each other: their camera, light and
+/// zoom are one and the same.
 ///
 /// What the setters give is kept here, so the picture survives a new OpenGL context (a floated dock makes
 /// one). Every setter takes effect with the next frame; none synthesises anything.
@@ -43,8 +44,15 @@ public:
     void setGradient(int sample, const gradient::Gradient& gradient);
     void setParams(const methods::ViewAlignedParams& params);
 
-    /// The key of the project::RenderMethod to show; "view-aligned" at first.
+    /// The key of the project::RenderMethod to show while none are compared; "view-aligned" at first.
     void setMethod(const std::string& key);
+    /// How methods are compared; at first they are not.
+    void setComposition(const Composition& composition);
+    /// The methods that are seen, and where.
+    std::vector<std::string> shownMethods() const;
+    std::vector<Pane> panes() const;
+    /// What each of them took in the last frame, ms; may lag behind what is shown.
+    const std::vector<double>& methodTimes() const;
     /// The image-based texture, best of the view that viewChanged() told; null shows G(L) alone. The one
     /// before goes on being shown, moved along with its objects, until then.
     void setViewTexture(std::shared_ptr<const ViewTexture> texture);
@@ -62,28 +70,34 @@ public:
     glm::vec3 background() const;
     /// Fits all visible objects (Home); cameraEdited follows.
     void frameAll();
+    /// Moves the camera as navigation does; cameraEdited follows.
+    void moveCamera(const scene::Camera& camera);
+    bool isDragging() const;
 
     /// The scene as shown, in device pixels, without what lies over it (light sphere, note). Where the CPU
     /// renders, waits for the fine picture.
     QImage picture() const;
-    /// The size of the picture, device pixels.
+    /// The size of a method's picture, device pixels: the viewport's, or a pane's.
     QSize pixels() const;
     /// Where each object's view-aligned texture lies, as followed through all moves so far; device pixels.
     std::vector<methods::TexturePlacement> placements() const;
-    /// All that the picture is made from, for another thread.
-    ViewSnapshot snapshot() const;
+    /// All that the shown methods' pictures are made from, for another thread.
+    std::vector<ViewSnapshot> snapshots() const;
     /// Puts a widget over the picture, as large as it, below all else that lies there; it belongs to the
     /// viewport.
     void addOverlay(QWidget* overlay);
 
 Q_SIGNALS:
+    void cameraAboutToBeEdited();                    ///< camera() is still that before
     void cameraEdited(const scene::Camera& camera);  ///< after every navigation step
-    void viewChanged();                              ///< another camera, or another size in device pixels
-    void pictureChanged();                           ///< anything that the picture shows, its size included
-    void lightEdited(int light, glm::vec3 vector);   ///< while a drag turns the light
-    void lightEditFinished();                        ///< the drag ended
-    void frameDrawn(double milliseconds);            ///< a frame was drawn; how long that took
-    void filesDropped(const QStringList& paths);     ///< local files, dragged from outside
+    void cameraEditFinished();                       ///< the drag that moved it ended
+    void viewChanged();                              ///< another camera, or another pixels()
+    void panesChanged();                             ///< panes(), or how what lies in them is put together
+    void pictureChanged();  ///< anything that the methods' pictures show, their size included
+    void lightEdited(int light, glm::vec3 vector);  ///< while a drag turns the light
+    void lightEditFinished();                       ///< the drag ended
+    void frameDrawn(double milliseconds);           ///< a frame was drawn; how long that took
+    void filesDropped(const QStringList& paths);    ///< local files, dragged from outside
 
 protected:
     bool event(QEvent* event) override;
