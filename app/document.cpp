@@ -62,7 +62,7 @@ void Document::edit(Change change, const QString& text, Member member, const Val
         [member](const project::Project& project) -> Value { return member(project); },
         [member](project::Project& project, const Value& changed) { member(project) = changed; }};
     auto command = std::make_unique<Command>(*this, change, text, m_session, access, value);
-    if (command->changesNothing()) return;
+    if (m_isTelling || command->changesNothing()) return;
     m_editing = true;
     m_undo.push(command.release());
 }
@@ -128,6 +128,7 @@ void Document::editOcclusion(const scene::OcclusionParams& params) {
 }
 
 void Document::editLight(int light, glm::vec3 vector) {
+    if (m_isTelling) return;
     std::vector<scene::Light> lights = m_project.lights;
     scene::Light& one = lights[std::size_t(light)];
     one.vector = vector;
@@ -232,7 +233,7 @@ void Document::editContents(Change::Kind kind, const QString& text, const Conten
                                      project.objects = changed.objects;
                                  }};
     auto command = std::make_unique<Command>(*this, Change{kind}, text, m_session, access, contents);
-    if (!command->changesNothing()) m_undo.push(command.release());
+    if (!m_isTelling && !command->changesNothing()) m_undo.push(command.release());
     finishEdit();
 }
 

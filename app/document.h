@@ -20,6 +20,9 @@ namespace chiaro::app {
 ///
 /// Every edit is a command on the undo stack; edits of one value until finishEdit() are one step. The camera
 /// is kept but is no edit: looking around changes nothing that is worth undoing or saving by itself.
+///
+/// While a change is told nothing can be edited, for it would come before its cause in the history: a field
+/// that loses the focus then, with something half typed in it, is shown what is true.
 class Document : public QObject {
     Q_OBJECT
 
@@ -153,6 +156,7 @@ private:
     int m_session = 0;
     bool m_editing = false;
     bool m_isReadOnly = false;
+    bool m_isTelling = false;  ///< of a change
 };
 
 }  // namespace chiaro::app

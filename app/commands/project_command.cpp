@@ -2,6 +2,8 @@
 
 #include "app/document.h"
 
+#include <QScopedValueRollback>
+
 namespace chiaro::app {
 
 project::Project& ProjectCommand::project() const {
@@ -9,6 +11,7 @@ project::Project& ProjectCommand::project() const {
 }
 
 void ProjectCommand::tell() const {
+    const QScopedValueRollback telling(m_document.m_isTelling, true);
     Q_EMIT m_document.changed(m_change);
 }
 

@@ -46,12 +46,17 @@ LightPanel::LightPanel(Document& document, Meshes& meshes) : m_document(document
     connect(m_form, &ParameterForm::valueEdited, this, &LightPanel::edit);
     connect(m_form, &ParameterForm::editFinished, &m_document, &Document::finishEdit);
     connect(m_vector, &VectorEdit::valueEdited, this, [this](glm::vec3 value) {
+        if (!isThere()) return;
         const bool isPoint =
             m_document.project().lights[std::size_t(m_light)].kind == scene::Light::Kind::Point;
         if (!isPoint && glm::length(value) == 0) return showLight(m_light);
         m_document.editLight(m_light, value);
     });
     connect(m_vector, &VectorEdit::editFinished, &m_document, &Document::finishEdit);
+}
+
+bool LightPanel::isThere() const {
+    return m_light < int(m_document.project().lights.size());
 }
 
 void LightPanel::showLight(int light) {
@@ -67,6 +72,7 @@ void LightPanel::showLight(int light) {
 }
 
 void LightPanel::edit() {
+    if (!isThere()) return;
     std::vector<scene::Light> lights = m_document.project().lights;
     scene::Light& light = lights[std::size_t(m_light)];
     const std::vector<double>& values = m_form->values();

@@ -24,6 +24,8 @@ public:
     void showLight(int light);
 
 private:
+    /// False once the light is removed: its fields may lose the focus, and tell of it, only then.
+    bool isThere() const;
     void edit();
 
     Document& m_document;

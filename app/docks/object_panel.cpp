@@ -91,6 +91,8 @@ void ObjectPanel::showObject(int object, std::vector<int> selected) {
 
 void ObjectPanel::edit(const QString& text, const std::function<void(scene::Placement&)>& change) {
     std::vector<project::ObjectSettings> objects = m_document.project().objects;
+    // Fields of an object that is removed may lose the focus, and tell of it, only then.
+    if (m_object >= int(objects.size())) return;
     change(objects[std::size_t(m_object)].placement);
     m_document.editObjects(std::move(objects), text);
 }

@@ -44,6 +44,24 @@ class DocumentTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void whatAnswersAChangeIsNoEdit() {
+        Document document;
+        const project::Project before = document.project();
+        // As a field does that loses the focus, half filled in, because of a change.
+        connect(&document, &Document::changed, &document, [&] { document.editLight(0, {1, 2, 3}); });
+        std::vector<scene::Light> lights = before.lights;
+        lights.resize(2);
+        document.editLights(lights, "Add Light");
+        QCOMPARE(document.project().lights, lights);
+        QCOMPARE(document.undoStack().count(), 1);
+        document.undoStack().undo();
+        QCOMPARE(document.project(), before);
+        document.editMethod("image-based");
+        QCOMPARE(document.undoStack().count(), 1);
+        document.undoStack().setIndex(0);
+        QCOMPARE(document.project(), before);
+    }
+
     void aDragIsOneStep() {
         Document document;
         document.replace(twoSamples(), {}, objectNames);
