@@ -38,7 +38,7 @@ struct Work {
     widgets::ViewState state;
     app::ViewMeasures measures{
         studio.jobs, studio.paints, [this] {
-            return std::vector{widgets::ViewSnapshot::of(state, state.method(), {320, 240})};
+            return std::vector{widgets::ViewSnapshot::of(state, state.method(), {240, 180})};
         }};
     app::MethodComparison comparison{studio.document, studio.jobs, studio.meshes};
     app::DistortionStudy study{studio.jobs, studio.paints};
@@ -49,8 +49,8 @@ struct Work {
         measures.setLive(false);
         project::Project project;
         project.levels.size = 256;
-        project.views.count = 6;
-        project.views.size = 256;
+        project.views.count = 4;
+        project.views.size = 128;
         studio.document.replace(project, {}, {});
         studio.open({test::resource("demo/samples/oil.png"), test::resource("demo/meshes/skull.glb")});
         camera = project::cameraFor(studio.document.project(), studio.meshes.scene());
@@ -109,9 +109,9 @@ void beginMap(Work& work, int) {
 
 void beginComparison(Work& work, int) {
     app::ComparisonSettings settings;
-    settings.frames = 3;
-    settings.size = 160;
-    settings.pixels = 60;
+    settings.frames = 2;
+    settings.size = 96;
+    settings.pixels = 30;
     work.comparison.start(settings);
 }
 
@@ -119,11 +119,11 @@ void beginAnimation(Work& work, int) {
     project::Project project = work.studio.document.project();
     project.animation.path = scene::Path::turntable(24);
     project.animation.firstFrame = 1;
-    project.animation.lastFrame = 6;
+    project.animation.lastFrame = 4;
     app::AnimationSettings settings;
     settings.output = work.folder / "animation.mkv";
-    settings.width = 480;
-    settings.height = 360;
+    settings.width = 320;
+    settings.height = 240;
     work.startExport([project, scene = work.studio.meshes.scene(), settings](const Task& task) {
         app::exportAnimation(project, scene, settings, task);
     });
@@ -149,12 +149,14 @@ const Kind kinds[] = {
     {"comparison", "view-aligned", beginComparison},
     {"study", "view-aligned",
      [](Work& work, int) {
-         work.study.start({{8, 12}, 30, 1});
+         work.study.start({{8}, 20, 1});
      }},
     {"picture", "view-aligned",
      [](Work& work, int) {
          app::PictureSettings settings;
          settings.path = work.folder / "picture.png";
+         settings.width = 960;
+         settings.height = 540;
          work.startExport([source = work.source("image-based"), settings](const Task& task) {
              app::exportPicture(source, settings, task);
          });
@@ -162,7 +164,7 @@ const Kind kinds[] = {
     {"animation", "view-aligned", beginAnimation},
     {"painted mesh", "view-aligned",
      [](Work& work, int) {
-         const app::MeshSettings settings{work.folder / "mesh.glb", {.atlas = 1024}};
+         const app::MeshSettings settings{work.folder / "mesh.glb", {.atlas = 512}};
          work.startExport([source = work.source("view-dependent"), settings](const Task& task) {
              app::exportMesh(source, settings, task);
          });
