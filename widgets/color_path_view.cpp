@@ -1,9 +1,10 @@
 #include "widgets/color_path_view.h"
 
 #include "core/base/error.h"
+#include "core/gradient/color_presets.h"
 #include "widgets/color_path_bar.h"
-#include "widgets/color_presets.h"
 #include "widgets/eyedropper.h"
+#include "widgets/path_through.h"
 #include "widgets/picture.h"
 #include "widgets/tool_button.h"
 #include "widgets/wheel_guard.h"
@@ -159,7 +160,7 @@ QWidget* ColorPathView::makePresets() {
     constexpr int columns = 4;
     const QSize size(60, 16);
     int number = 0;
-    for (const ColorPreset& preset : colorPresets()) {
+    for (const gradient::ColorPreset& preset : gradient::colorPresets()) {
         const QString name = QCoreApplication::translate("ColorPreset", preset.name);
         auto* button = new QToolButton;
         button->setObjectName(QString("preset-%1").arg(number));

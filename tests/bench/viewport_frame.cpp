@@ -3,11 +3,11 @@
 // one by the other on the clock, `processor_ratio` in processor time. A mesh file may be given.
 
 #include "core/base/random.h"
+#include "core/methods/object_texels.h"
 #include "core/methods/view_map.h"
 #include "core/scene/mesh_io.h"
 #include "tests/support/support.h"
 #include "widgets/viewport/frame_drawer.h"
-#include "widgets/viewport/object_texels.h"
 
 #include <benchmark/benchmark.h>
 
@@ -105,11 +105,12 @@ std::shared_ptr<const ViewTexture> noiseTexture(const ViewState& state) {
     texture->camera = state.camera;
     texture->width = frameSize.width();
     texture->height = frameSize.height();
-    texture->range = DifferenceRange::of(0.5f);
+    texture->range = methods::DifferenceRange::of(0.5f);
     Random random(2, 0);
     for (const scene::Object& object : state.scene().objects) {
-        Image<DifferenceTexel> texels(texture->width, texture->height);
-        for (DifferenceTexel& texel : texels.pixels()) texel[0] = std::uint8_t(random.uniform() * 255);
+        Image<methods::DifferenceTexel> texels(texture->width, texture->height);
+        for (methods::DifferenceTexel& texel : texels.pixels())
+            texel[0] = std::uint8_t(random.uniform() * 255);
         texture->objects.push_back({glm::ivec2(0), std::move(texels), object.transform});
     }
     return texture;

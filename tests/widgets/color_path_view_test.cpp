@@ -1,8 +1,9 @@
 #include "widgets/color_path_view.h"
 
+#include "core/gradient/color_presets.h"
 #include "widgets/color_path_bar.h"
-#include "widgets/color_presets.h"
 #include "widgets/eyedropper.h"
+#include "widgets/path_through.h"
 #include "widgets/picture.h"
 #include "widgets/strip_view.h"
 
@@ -176,7 +177,7 @@ private Q_SLOTS:
         shown.button("preset-0").click();
         QCOMPARE(shown.steps, 1);
         QVERIFY(shown.path.has_value());
-        for (const widgets::ColorPreset& preset : widgets::colorPresets()) {
+        for (const gradient::ColorPreset& preset : gradient::colorPresets()) {
             const glm::vec3 weights(0.2126F, 0.7152F, 0.0722F);
             float last = -1;
             for (const gradient::ColorStop& stop : preset.path.stops) {

@@ -13,10 +13,11 @@ namespace {
 
 constexpr glm::ivec3 size(1000, 700, 3);
 
-std::vector<DifferenceTexel> someTexels() {
-    std::vector<DifferenceTexel> texels(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+std::vector<methods::DifferenceTexel> someTexels() {
+    std::vector<methods::DifferenceTexel> texels(std::size_t(size.x) * std::size_t(size.y) *
+                                                 std::size_t(size.z));
     Random random(1);
-    for (DifferenceTexel& texel : texels)
+    for (methods::DifferenceTexel& texel : texels)
         for (std::uint8_t& value : texel) value = std::uint8_t(random.below(256));
     return texels;
 }
@@ -42,7 +43,7 @@ private Q_SLOTS:
     }
 
     void oneCallIsEnoughWithoutADeadline() {
-        const std::vector<DifferenceTexel> texels = someTexels();
+        const std::vector<methods::DifferenceTexel> texels = someTexels();
         TextureUpload upload(texels.data(), size);
         QVERIFY(upload.goOn(*m_gl, QDeadlineTimer(QDeadlineTimer::Forever)));
         const GLuint texture = upload.take();
@@ -50,13 +51,13 @@ private Q_SLOTS:
     }
 
     void piecesMakeTheWhole() {
-        const std::vector<DifferenceTexel> texels = someTexels();
+        const std::vector<methods::DifferenceTexel> texels = someTexels();
         TextureUpload upload(texels.data(), size);
         int calls = 1;
         while (!upload.goOn(*m_gl, QDeadlineTimer(0))) ++calls;
         QVERIFY2(calls >= 4, "8.4 MB came in fewer frames than they may");
         const GLuint texture = upload.take();
-        std::vector<DifferenceTexel> read(texels.size());
+        std::vector<methods::DifferenceTexel> read(texels.size());
         m_gl->glBindTexture(GL_TEXTURE_3D, texture);
         m_gl->glGetTexImage(GL_TEXTURE_3D, 0, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
         QVERIFY(read == texels);
@@ -65,7 +66,7 @@ private Q_SLOTS:
     }
 
     void nothingIsLeftOfOneThatIsCancelled() {
-        const std::vector<DifferenceTexel> texels = someTexels();
+        const std::vector<methods::DifferenceTexel> texels = someTexels();
         TextureUpload upload(texels.data(), size);
         QVERIFY(!upload.goOn(*m_gl, QDeadlineTimer(0)));
         GLint bound = 0;

@@ -1,11 +1,11 @@
+#include "core/methods/level_texels.h"
+#include "core/methods/object_texels.h"
 #include "core/scene/mesh_io.h"
 #include "tests/support/support.h"
 #include "tests/widgets/viewport_support.h"
 #include "widgets/viewport/frame_drawer.h"
 #include "widgets/viewport/gl_support.h"
 #include "widgets/viewport/gl_view.h"
-#include "widgets/viewport/level_texels.h"
-#include "widgets/viewport/object_texels.h"
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
@@ -135,7 +135,7 @@ void ViewportGlTest::texelsKeepTheDifferences() {
     synthesis::LevelStack stack;
     stack.levels.assign(2, ColorImage(2, 2, glm::vec3(0)));
     stack.levels[1](1, 0) = {0.5f, -0.5f, 0.1f};
-    const LevelTexels texels = levelTexels(stack);
+    const methods::LevelTexels texels = methods::levelTexels(stack);
     QCOMPARE(texels.size, 2);
     QCOMPARE(texels.count, 2);
     const auto difference = [&](std::size_t texel, int channel) {
@@ -327,22 +327,22 @@ void ViewportGlTest::largeMapsTakePagesOrShrink() {
     views.size = 128;
     const auto mesh = test::sceneOf(test::sphereMesh(24)).objects[0].mesh;
     const auto painted = test::paintedObject(mesh, views);
-    const ObjectTexels whole = objectTexels(*painted, 2048);
+    const methods::ObjectTexels whole = methods::objectTexels(*painted, 2048);
     QCOMPARE(whole.layout.pageCount, 1);
     QCOMPARE(whole.layout.levelCount, 8);
     QCOMPARE(whole.corners.size(), 3 * mesh->triangles.size());
     // A side that holds at most four maps a page.
-    const ObjectTexels paged = objectTexels(*painted, 270);
+    const methods::ObjectTexels paged = methods::objectTexels(*painted, 270);
     QVERIFY(paged.layout.pageCount > 1);
     QCOMPARE(paged.layout.size.z, 8 * paged.layout.pageCount);
     QCOMPARE(paged.views[3].w * float(paged.layout.pageCount),
              std::round(paged.views[3].w * float(paged.layout.pageCount)));
     QVERIFY(paged.layout.size.x <= 270 && paged.layout.size.y <= 270);
-    const ObjectTexels small = objectTexels(*painted, 2048, whole.textureBytes() / 3);
+    const methods::ObjectTexels small = methods::objectTexels(*painted, 2048, whole.textureBytes() / 3);
     QVERIFY(small.textureBytes() <= whole.textureBytes() / 3);
     QVERIFY(small.textureBytes() > whole.textureBytes() / 6);
     // The middle of a map is the same place of the object in all of them.
-    const auto coordinates = [](const ObjectTexels& texels, std::size_t view, glm::vec3 point) {
+    const auto coordinates = [](const methods::ObjectTexels& texels, std::size_t view, glm::vec3 point) {
         return glm::vec2(
             glm::dot(texels.views[view * 4], glm::vec4(point, 1)) * float(texels.layout.size.x),
             glm::dot(texels.views[view * 4 + 1], glm::vec4(point, 1)) * float(texels.layout.size.y));
@@ -434,7 +434,7 @@ void ViewportGlTest::fadesFromTextureToTexture() {
         test::imageBasedPicture(state.scene(), state.camera, m_paints[0].gradient, background, pixels)
             .texture;
     auto inverse = std::make_shared<ViewTexture>(*first);
-    for (DifferenceTexel& texel : inverse->objects[0].texels.pixels())
+    for (methods::DifferenceTexel& texel : inverse->objects[0].texels.pixels())
         for (int i = 0; i < 3; ++i) texel[std::size_t(i)] = std::uint8_t(256 - texel[std::size_t(i)]);
     const auto draw = [&](const auto& shown, const auto& earlier, float weight) {
         state.viewTexture = shown;

@@ -1,5 +1,6 @@
 #include "widgets/viewport/gl_meshes.h"
 
+#include "core/scene/mesh_winding.h"
 #include "widgets/viewport/view_state.h"
 
 namespace chiaro::widgets {
@@ -10,18 +11,6 @@ template <class T>
 void upload(Gl& gl, GLenum target, GLuint buffer, const std::vector<T>& values) {
     gl.glBindBuffer(target, buffer);
     gl.glBufferData(target, GLsizeiptr(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
-}
-
-/// The triangles wound so that their front is the side that their normals point to, as the CPU renderer
-/// decides: a file's winding may say otherwise.
-std::vector<scene::Triangle> towardsNormals(const scene::Mesh& mesh) {
-    std::vector<scene::Triangle> triangles = mesh.triangles;
-    for (auto& [a, b, c] : triangles) {
-        const glm::vec3 face =
-            glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
-        if (glm::dot(face, mesh.normals[a] + mesh.normals[b] + mesh.normals[c]) < 0) std::swap(b, c);
-    }
-    return triangles;
 }
 
 GlMeshes::Buffers uploaded(Gl& gl, const scene::Mesh& mesh) {
@@ -35,7 +24,7 @@ GlMeshes::Buffers uploaded(Gl& gl, const scene::Mesh& mesh) {
     gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
     upload(gl, GL_ARRAY_BUFFER, made.buffers[1], mesh.normals);
     gl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
-    upload(gl, GL_ELEMENT_ARRAY_BUFFER, made.buffers[2], towardsNormals(mesh));
+    upload(gl, GL_ELEMENT_ARRAY_BUFFER, made.buffers[2], scene::trianglesTowardsNormals(mesh));
     gl.glEnableVertexAttribArray(0);
     gl.glEnableVertexAttribArray(1);
     gl.glBindVertexArray(0);

@@ -37,20 +37,20 @@ void GlPaints::startLevels(Gl& gl, Entry& entry, const std::shared_ptr<const syn
     const bool textured = levels && !levels->levels.empty();
     if (isNew || !textured) {
         // Without levels a single texel of no difference stands in.
-        const LevelTexels none{1, 1, {}, {DifferenceTexel{}}};
+        const methods::LevelTexels none{1, 1, {}, {methods::DifferenceTexel{}}};
         TextureUpload upload(none.texels.data(), glm::ivec3(1));
         upload.goOn(gl, QDeadlineTimer(QDeadlineTimer::Forever));
         showLevels(gl, entry, none, upload.take());
     }
     if (!textured) return;
-    entry.texels =
-        QtConcurrent::run([levels] { return std::make_shared<const LevelTexels>(levelTexels(*levels)); });
+    entry.texels = QtConcurrent::run(
+        [levels] { return std::make_shared<const methods::LevelTexels>(methods::levelTexels(*levels)); });
 }
 
 bool GlPaints::finishLevels(Gl& gl, Entry& entry, Pending pending, QDeadlineTimer deadline) {
     if (!entry.texels.isValid()) return true;
     if (pending == Pending::Show && !entry.texels.isFinished()) return false;
-    const std::shared_ptr<const LevelTexels> texels = entry.texels.result();
+    const std::shared_ptr<const methods::LevelTexels> texels = entry.texels.result();
     if (!entry.upload)
         entry.upload.emplace(texels->texels.data(), glm::ivec3(texels->size, texels->size, texels->count));
     if (pending == Pending::Await) deadline = QDeadlineTimer(QDeadlineTimer::Forever);
@@ -61,7 +61,7 @@ bool GlPaints::finishLevels(Gl& gl, Entry& entry, Pending pending, QDeadlineTime
 }
 
 /// The texture is one that an upload finished, and bound.
-void GlPaints::showLevels(Gl& gl, Entry& entry, const LevelTexels& texels, GLuint texture) {
+void GlPaints::showLevels(Gl& gl, Entry& entry, const methods::LevelTexels& texels, GLuint texture) {
     gl.glDeleteTextures(1, &entry.paint.levels);
     entry.paint.levels = texture;
     entry.paint.size = texels.size;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/methods/level_texels.h"
 #include "widgets/viewport/gl_support.h"
-#include "widgets/viewport/level_texels.h"
 #include "widgets/viewport/texture_upload.h"
 #include "widgets/viewport/view_state.h"
 
@@ -42,16 +42,16 @@ public:
 private:
     struct Entry {
         Paint paint;
-        std::shared_ptr<const synthesis::LevelStack> levels;  ///< as uploaded, or on their way
-        QFuture<std::shared_ptr<const LevelTexels>> texels;   ///< valid while they are
-        std::optional<TextureUpload> upload;                  ///< of those, once they are made
-        gradient::Gradient gradient;                          ///< as uploaded
+        std::shared_ptr<const synthesis::LevelStack> levels;          ///< as uploaded, or on their way
+        QFuture<std::shared_ptr<const methods::LevelTexels>> texels;  ///< valid while they are
+        std::optional<TextureUpload> upload;                          ///< of those, once they are made
+        gradient::Gradient gradient;                                  ///< as uploaded
     };
 
     static void syncGradient(Gl& gl, Entry& entry, const gradient::Gradient& gradient);
     static void startLevels(Gl& gl, Entry& entry, const std::shared_ptr<const synthesis::LevelStack>& levels);
     static bool finishLevels(Gl& gl, Entry& entry, Pending pending, QDeadlineTimer deadline);
-    static void showLevels(Gl& gl, Entry& entry, const LevelTexels& texels, GLuint texture);
+    static void showLevels(Gl& gl, Entry& entry, const methods::LevelTexels& texels, GLuint texture);
     static void drop(Gl& gl, Entry& entry);
     static void free(Gl& gl, Entry& entry);
 

@@ -4,7 +4,7 @@ namespace chiaro::widgets {
 
 namespace {
 
-void uploadTexels(Gl& gl, GLuint texture, const Image<DifferenceTexel>& texels) {
+void uploadTexels(Gl& gl, GLuint texture, const Image<methods::DifferenceTexel>& texels) {
     gl.glBindTexture(GL_TEXTURE_2D, texture);
     gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texels.width(), texels.height(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
                     texels.pixels().data());
@@ -33,7 +33,7 @@ bool ImageBasedDrawer::initialize(Gl& gl, int samples) {
             makeProgram("common/picture.vert", "image_based/image_based.frag",
                         {{"SAMPLES", samples}, {"LAYERS", layers}});
     gl.glGenTextures(1, &m_untextured);
-    uploadTexels(gl, m_untextured, Image<DifferenceTexel>(1, 1, {128, 128, 128, 255}));
+    uploadTexels(gl, m_untextured, Image<methods::DifferenceTexel>(1, 1, {128, 128, 128, 255}));
     return m_programs[0] && m_programs[1];
 }
 
@@ -72,7 +72,7 @@ ImageBasedDrawer::Placed ImageBasedDrawer::placed(const Uploaded& uploaded, std:
     const bool textured =
         object < uploaded.texels.size() && !uploaded.texture->objects[object].texels.empty();
     if (!textured) return {m_untextured, {}, {}};
-    const DifferenceRange& range = uploaded.texture->range;
+    const methods::DifferenceRange& range = uploaded.texture->range;
     return {uploaded.texels[object], coordinatesOf(uploaded.texture->objects[object], motion, height),
             QVector2D(range.factor, range.bias) * weight};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/viewport/object_texels.h"
+#include "core/methods/object_texels.h"
 #include "widgets/viewport/texture_upload.h"
 
 #include <array>
@@ -15,7 +15,7 @@ struct UploadedObject {
     GLuint texels = 0;
     std::array<GLuint, BufferTextureCount> buffers{};
     std::array<GLuint, BufferTextureCount> textures{};  ///< of those
-    ObjectTexels::Layout layout;
+    methods::ObjectTexels::Layout layout;
     std::size_t bytes = 0;  ///< of the texels
 
     void free(Gl& gl);
@@ -25,7 +25,7 @@ struct UploadedObject {
 /// bytes a face, come after the texture. Every call needs the context current.
 class ObjectUpload {
 public:
-    explicit ObjectUpload(std::shared_ptr<const ObjectTexels> texels)
+    explicit ObjectUpload(std::shared_ptr<const methods::ObjectTexels> texels)
         : m_texels(std::move(texels)), m_texture(m_texels->texels.data(), m_texels->layout.size) {}
 
     /// True once all is there; else to be called again in the next frame.
@@ -38,7 +38,7 @@ public:
 private:
     void fillBuffers(Gl& gl);
 
-    std::shared_ptr<const ObjectTexels> m_texels;
+    std::shared_ptr<const methods::ObjectTexels> m_texels;
     TextureUpload m_texture;
     UploadedObject m_made;
 };

@@ -25,7 +25,7 @@ void TextureUpload::begin(Gl& gl) {
 void TextureUpload::addRows(Gl& gl) {
     const std::size_t rowTexels = std::size_t(m_size.x);
     const int y = m_row % m_size.y;
-    const int wanted = std::max(int(pieceBytes / (rowTexels * sizeof(DifferenceTexel))), 1);
+    const int wanted = std::max(int(pieceBytes / (rowTexels * sizeof(methods::DifferenceTexel))), 1);
     const int count = std::min(wanted, m_size.y - y);
     gl.glTexSubImage3D(GL_TEXTURE_3D, 0, 0, y, m_row / m_size.y, m_size.x, count, 1, GL_RGBA,
                        GL_UNSIGNED_BYTE, m_texels + std::size_t(m_row) * rowTexels);

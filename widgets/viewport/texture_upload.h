@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/viewport/difference_texels.h"
+#include "core/methods/difference_texels.h"
 #include "widgets/viewport/gl_support.h"
 
 #include <QDeadlineTimer>
@@ -15,7 +15,7 @@ public:
     static constexpr int frameMilliseconds = 10;
 
     /// Layer after layer, row after row; they have to stay until goOn() finished.
-    TextureUpload(const DifferenceTexel* texels, glm::ivec3 size) : m_texels(texels), m_size(size) {}
+    TextureUpload(const methods::DifferenceTexel* texels, glm::ivec3 size) : m_texels(texels), m_size(size) {}
 
     /// One piece more, and others until the deadline. True once all is there, and bound.
     bool goOn(Gl& gl, QDeadlineTimer deadline);
@@ -28,7 +28,7 @@ private:
     void begin(Gl& gl);
     void addRows(Gl& gl);
 
-    const DifferenceTexel* m_texels;
+    const methods::DifferenceTexel* m_texels;
     glm::ivec3 m_size;
     GLuint m_texture = 0;
     int m_row = 0;  ///< of all layers' rows, the next

@@ -76,7 +76,7 @@ void ViewDependentDrawer::await(Gl& gl, Entry& entry, const Painted& painted) co
     entry.texels = {};
     if (!painted) return;
     entry.texels = QtConcurrent::run([painted, side = m_largestSide] {
-        return std::make_shared<const ObjectTexels>(objectTexels(*painted, side));
+        return std::make_shared<const methods::ObjectTexels>(methods::objectTexels(*painted, side));
     });
 }
 
@@ -135,7 +135,7 @@ std::vector<MethodDrawer::Pass> ViewDependentDrawer::prepare(Gl&, const ViewStat
         const auto found = m_entries.find({object.mesh.get(), object.sample});
         if (found == m_entries.end() || found->second.uploaded.texels == 0) continue;
         placed.uploaded = &found->second.uploaded;
-        const ObjectTexels::Layout& layout = placed.uploaded->layout;
+        const methods::ObjectTexels::Layout& layout = placed.uploaded->layout;
         placed.variant = {true, layout.isPerspective, state.viewDependent.followCamera,
                           state.viewDependent.blend == methods::Blend::Preserving, layout.pageCount};
         const glm::dmat4 transform(object.transform);
@@ -163,7 +163,7 @@ QOpenGLShaderProgram* ViewDependentDrawer::bind(Gl& gl, std::size_t pass, const 
         gl.glActiveTexture(GLenum(GL_TEXTURE0 + firstBufferUnit + i));
         gl.glBindTexture(GL_TEXTURE_BUFFER, placed.uploaded->textures[std::size_t(i)]);
     }
-    const ObjectTexels::Layout& layout = placed.uploaded->layout;
+    const methods::ObjectTexels::Layout& layout = placed.uploaded->layout;
     const float end = 0.5f / float(layout.levelCount);
     program->setUniformValue("texelRange", QVector2D(layout.range.factor, layout.range.bias));
     program->setUniformValue("levelEnds", QVector2D(end, 1 - end));

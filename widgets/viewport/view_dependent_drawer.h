@@ -31,9 +31,9 @@ private:
     struct Entry {
         Painted shown;  ///< null: none was uploaded
         UploadedObject uploaded;
-        Painted awaited;                                      ///< whose texels are on their way
-        QFuture<std::shared_ptr<const ObjectTexels>> texels;  ///< of those, while they are made
-        std::optional<ObjectUpload> upload;                   ///< and once they are
+        Painted awaited;                                               ///< whose texels are on their way
+        QFuture<std::shared_ptr<const methods::ObjectTexels>> texels;  ///< of those, while they are made
+        std::optional<ObjectUpload> upload;                            ///< and once they are
     };
     /// What the shader is compiled for.
     struct Variant {

@@ -45,9 +45,10 @@ Image<Pixel> padded(const Image<Pixel>& image) {
     return result;
 }
 
-Image<DifferenceTexel> extended(const methods::ObjectTexture& made, const DifferenceRange& range) {
-    Image<DifferenceTexel> texels(made.pixels.width(), made.pixels.height());
-    encodeDifferences(made.pixels, range, texels.pixels().data());
+Image<methods::DifferenceTexel> extended(const methods::ObjectTexture& made,
+                                         const methods::DifferenceRange& range) {
+    Image<methods::DifferenceTexel> texels(made.pixels.width(), made.pixels.height());
+    methods::encodeDifferences(made.pixels, range, texels.pixels().data());
     texels = padded(texels);
     const Image<std::uint8_t> covered = padded(made.covered);
     const Image<glm::ivec2> nearest = nearestCovered(covered);
@@ -71,7 +72,7 @@ int mirroredIndex(int index, int size) {
 
 glm::vec3 ViewTexture::difference(std::size_t object, glm::vec2 position) const {
     if (object >= objects.size() || objects[object].texels.empty()) return glm::vec3(0);
-    const Image<DifferenceTexel>& texels = objects[object].texels;
+    const Image<methods::DifferenceTexel>& texels = objects[object].texels;
     const glm::vec2 corner = position - glm::vec2(objects[object].origin) - 0.5f;
     const glm::vec2 base = glm::floor(corner);
     const glm::vec2 t = corner - base;
@@ -103,7 +104,8 @@ std::vector<methods::TexturePlacement> ViewTexture::motions(const scene::Scene& 
 
 std::size_t ViewTexture::bytes() const {
     std::size_t bytes = 0;
-    for (const Object& object : objects) bytes += object.texels.pixelCount() * sizeof(DifferenceTexel);
+    for (const Object& object : objects)
+        bytes += object.texels.pixelCount() * sizeof(methods::DifferenceTexel);
     return bytes;
 }
 
@@ -115,8 +117,8 @@ ViewTexture viewTexture(const methods::ImageBasedTexture& made, const scene::Sce
     texture.height = height;
     float largest = 0;
     for (const methods::ObjectTexture& object : made.objects)
-        largest = std::max(largest, largestDifference(object.pixels));
-    texture.range = DifferenceRange::of(largest);
+        largest = std::max(largest, methods::largestDifference(object.pixels));
+    texture.range = methods::DifferenceRange::of(largest);
     for (std::size_t i = 0; i < made.objects.size(); ++i) {
         task.checkpoint();
         texture.objects.push_back({made.objects[i].origin - margin, {}, scene.objects[i].transform});

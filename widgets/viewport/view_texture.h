@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/methods/difference_texels.h"
 #include "core/methods/image_based.h"
 #include "core/methods/view_aligned.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
-#include "widgets/viewport/difference_texels.h"
 
 #include <vector>
 
@@ -15,12 +15,13 @@ namespace chiaro::widgets {
 /// mirrored at its outline, so that what comes into view wears paint as well.
 struct ViewTexture {
     struct Object {
-        glm::ivec2 origin{0};           ///< of the top left texel in the picture; may lie outside it
-        Image<DifferenceTexel> texels;  ///< one a pixel of the view; empty when the object wasn't in it
-        glm::mat4 transform{1};         ///< object to world
+        glm::ivec2 origin{0};  ///< of the top left texel in the picture; may lie outside it
+        Image<methods::DifferenceTexel>
+            texels;              ///< one a pixel of the view; empty when the object wasn't in it
+        glm::mat4 transform{1};  ///< object to world
     };
     std::vector<Object> objects;  ///< one an object of the scene
-    DifferenceRange range;
+    methods::DifferenceRange range;
     scene::Camera camera;  ///< of the view it was made for,
     int width = 0;         ///< and its size in device pixels
     int height = 0;

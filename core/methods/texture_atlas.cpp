@@ -1,9 +1,9 @@
-#include "widgets/viewport/texture_atlas.h"
+#include "core/methods/texture_atlas.h"
 
 #include <algorithm>
 #include <numeric>
 
-namespace chiaro::widgets {
+namespace chiaro::methods {
 
 namespace {
 
@@ -57,4 +57,4 @@ TextureAtlas packAtlas(const std::vector<glm::ivec2>& sizes, int largestSide) {
     return best;
 }
 
-}  // namespace chiaro::widgets
+}  // namespace chiaro::methods

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace chiaro::widgets {
+namespace chiaro::methods {
 
 /// Rectangles side by side on pages of one size.
 struct TextureAtlas {
@@ -25,4 +25,4 @@ struct TextureAtlas {
 /// `largestSide`. Empty rectangles take no place.
 TextureAtlas packAtlas(const std::vector<glm::ivec2>& sizes, int largestSide);
 
-}  // namespace chiaro::widgets
+}  // namespace chiaro::methods

@@ -5,10 +5,13 @@
 #include <array>
 #include <cstdint>
 
-namespace chiaro::widgets {
+namespace chiaro::methods {
 
 /// A difference RGB in 8 bits a channel; the fourth only keeps texels aligned.
 using DifferenceTexel = std::array<std::uint8_t, 4>;
+
+/// The texel of no difference, whatever the range.
+inline constexpr DifferenceTexel noDifference{128, 128, 128, 255};
 
 /// How differences become texels of 8 bits: half the memory of half floats, and the format that every OpenGL,
 /// software ones included, filters fastest. The range is stretched over the largest difference, so that a
@@ -27,4 +30,4 @@ float largestDifference(const ColorImage& differences);
 /// Texels of a picture whose differences lie within the range that `range` was made for.
 void encodeDifferences(const ColorImage& differences, const DifferenceRange& range, DifferenceTexel* texels);
 
-}  // namespace chiaro::widgets
+}  // namespace chiaro::methods

@@ -1,8 +1,8 @@
-#include "widgets/viewport/level_texels.h"
+#include "core/methods/level_texels.h"
 
 #include <algorithm>
 
-namespace chiaro::widgets {
+namespace chiaro::methods {
 
 LevelTexels levelTexels(const synthesis::LevelStack& stack) {
     LevelTexels result;
@@ -18,4 +18,4 @@ LevelTexels levelTexels(const synthesis::LevelStack& stack) {
     return result;
 }
 
-}  // namespace chiaro::widgets
+}  // namespace chiaro::methods

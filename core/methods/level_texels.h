@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/methods/difference_texels.h"
 #include "core/synthesis/levels.h"
-#include "widgets/viewport/difference_texels.h"
 
 #include <vector>
 
-namespace chiaro::widgets {
+namespace chiaro::methods {
 
 /// A level stack as texels.
 struct LevelTexels {
@@ -18,4 +18,4 @@ struct LevelTexels {
 /// The texels of a stack of equal square levels. Safe from any thread.
 LevelTexels levelTexels(const synthesis::LevelStack& stack);
 
-}  // namespace chiaro::widgets
+}  // namespace chiaro::methods

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "core/methods/difference_texels.h"
 #include "core/methods/view_dependent.h"
-#include "widgets/viewport/difference_texels.h"
 
 #include <glm/gtc/type_precision.hpp>
 
 #include <vector>
 
-namespace chiaro::widgets {
+namespace chiaro::methods {
 
 /// An object with textures of its own (§4.3) as shaders/view_dependent/ reads it. Points are in object space,
 /// less `middle`.
@@ -35,7 +35,7 @@ struct ObjectTexels {
 
 /// `largestSide` is that of the 3D texture, `byteLimit` its size: larger maps are shown reduced to a half, a
 /// quarter and so on. Safe from any thread.
-ObjectTexels objectTexels(const methods::PaintedObject& object, int largestSide,
+ObjectTexels objectTexels(const PaintedObject& object, int largestSide,
                           std::size_t byteLimit = std::size_t(512) << 20);
 
-}  // namespace chiaro::widgets
+}  // namespace chiaro::methods

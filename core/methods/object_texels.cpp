@@ -1,17 +1,15 @@
-#include "widgets/viewport/object_texels.h"
+#include "core/methods/object_texels.h"
 
-#include "widgets/viewport/texture_atlas.h"
+#include "core/methods/texture_atlas.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 
-namespace chiaro::widgets {
+namespace chiaro::methods {
 
 namespace {
-
-using methods::PackedTexel;
 
 /// How the views' maps lie in the texture: each texel of it shows a square of so many of theirs.
 struct MapLayout {
@@ -19,12 +17,11 @@ struct MapLayout {
     int reduction = 1;
 };
 
-MapLayout layoutOf(const methods::ViewTextures& textures, int levelCount, int largestSide,
-                   std::size_t byteLimit) {
+MapLayout layoutOf(const ViewTextures& textures, int levelCount, int largestSide, std::size_t byteLimit) {
     for (int reduction = 1;; reduction *= 2) {
         std::vector<glm::ivec2> sizes;
         bool fits = true;
-        for (const methods::ViewTexture& view : textures.views) {
+        for (const ViewTexture& view : textures.views) {
             const glm::ivec2 size = view.levels.empty()
                                         ? glm::ivec2(0)
                                         : glm::ivec2(view.levels[0].width(), view.levels[0].height());
@@ -38,34 +35,34 @@ MapLayout layoutOf(const methods::ViewTextures& textures, int levelCount, int la
     }
 }
 
-float largestDifference(const methods::ViewTextures& textures) {
+float largestDifference(const ViewTextures& textures) {
     int largest = 0;
-    for (const methods::ViewTexture& view : textures.views)
+    for (const ViewTexture& view : textures.views)
         for (const Image<PackedTexel>& level : view.levels)
             for (const PackedTexel texel : level.pixels())
                 largest = std::max({largest, std::abs(texel.x), std::abs(texel.y), std::abs(texel.z)});
-    return methods::unpacked(PackedTexel(glm::int16(largest))).x;
+    return unpacked(PackedTexel(glm::int16(largest))).x;
 }
 
 /// The mean of the texels that a texel of the texture stands for.
 glm::vec3 reduced(const Image<PackedTexel>& level, glm::ivec2 corner, int reduction) {
-    if (reduction == 1) return methods::unpacked(level(corner.x, corner.y));
+    if (reduction == 1) return unpacked(level(corner.x, corner.y));
     glm::vec3 sum(0);
     float count = 0;
     for (int y = corner.y; y < std::min(corner.y + reduction, level.height()); ++y)
         for (int x = corner.x; x < std::min(corner.x + reduction, level.width()); ++x) {
-            sum += methods::unpacked(level(x, y));
+            sum += unpacked(level(x, y));
             ++count;
         }
     return sum / count;
 }
 
-void addTexels(ObjectTexels& result, const methods::ViewTextures& textures, const MapLayout& layout) {
+void addTexels(ObjectTexels& result, const ViewTextures& textures, const MapLayout& layout) {
     const TextureAtlas& atlas = layout.atlas;
     result.layout.range = DifferenceRange::of(largestDifference(textures));
-    result.texels.assign(atlas.texelCount() * std::size_t(result.layout.levelCount), DifferenceTexel{});
+    result.texels.assign(atlas.texelCount() * std::size_t(result.layout.levelCount), noDifference);
     tbb::parallel_for(std::size_t(0), textures.views.size(), [&](std::size_t i) {
-        const methods::ViewTexture& view = textures.views[i];
+        const ViewTexture& view = textures.views[i];
         const TextureAtlas::Place& place = atlas.places[i];
         for (std::size_t l = 0; l < view.levels.size(); ++l) {
             const Image<PackedTexel>& level = view.levels[l];
@@ -121,7 +118,7 @@ std::array<glm::vec4, 4> viewTexels(const views::Surface& surface, const views::
 }
 
 /// A face's weights in 16 bits: the largest is as large as can be.
-void addWeights(ObjectTexels& result, std::span<const methods::ViewWeights::FaceView> views) {
+void addWeights(ObjectTexels& result, std::span<const ViewWeights::FaceView> views) {
     float largest = 0;
     for (const auto& view : views)
         for (const auto& corner : view.corners) largest = std::max(largest, corner.weight);
@@ -135,12 +132,12 @@ void addWeights(ObjectTexels& result, std::span<const methods::ViewWeights::Face
 
 }  // namespace
 
-ObjectTexels objectTexels(const methods::PaintedObject& object, int largestSide, std::size_t byteLimit) {
+ObjectTexels objectTexels(const PaintedObject& object, int largestSide, std::size_t byteLimit) {
     const views::Surface& surface = object.planned->surface;
     const auto& groups = object.planned->plan.groups;
     ObjectTexels result;
     result.layout.middle = surface.center();
-    for (const methods::ViewTexture& view : object.textures.views)
+    for (const ViewTexture& view : object.textures.views)
         result.layout.levelCount = std::max(result.layout.levelCount, int(view.levels.size()));
     if (result.layout.levelCount == 0) return result;
     const MapLayout layout = layoutOf(object.textures, result.layout.levelCount, largestSide, byteLimit);
@@ -165,4 +162,4 @@ ObjectTexels objectTexels(const methods::PaintedObject& object, int largestSide,
     return result;
 }
 
-}  // namespace chiaro::widgets
+}  // namespace chiaro::methods

@@ -1,12 +1,12 @@
-#include "widgets/viewport/difference_texels.h"
+#include "core/methods/difference_texels.h"
 
 #include <algorithm>
 
-namespace chiaro::widgets {
+namespace chiaro::methods {
 
 namespace {
 
-constexpr float zero = 128;   // the texel of no difference
+constexpr float zero = noDifference[0];
 constexpr float reach = 127;  // texels from there to the largest difference, either way
 
 }  // namespace
@@ -35,4 +35,4 @@ void encodeDifferences(const ColorImage& differences, const DifferenceRange& ran
     }
 }
 
-}  // namespace chiaro::widgets
+}  // namespace chiaro::methods
