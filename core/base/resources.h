@@ -9,4 +9,8 @@ namespace chiaro {
 /// there.
 std::filesystem::path resourceFolder();
 
+/// The program of relightable pages, which the build makes: page/relightable.html in $CHIARO_RESOURCES if it is
+/// there, else in ../share/chiaro beside the program, where it may be missing.
+std::filesystem::path pageFile();
+
 }  // namespace chiaro

@@ -6,6 +6,7 @@ namespace chiaro::exporting {
 
 // One function a file: a scene to the bytes that say it. `path` is only named in errors.
 
+/// A scene without a texture gives meshes without a material.
 std::string glbBytes(const std::filesystem::path& path, const TexturedScene& scene,
                      const ImageMetadata& metadata);
 std::string pngBytes(const std::filesystem::path& path, const ByteImage& picture,

@@ -30,7 +30,11 @@ std::vector<fs::path> filesOf(const fs::path& path) {
 }
 
 void checkMeshOutput(const fs::path& path, bool mayReplace) {
-    for (const fs::path& file : filesOf(path)) {
+    checkOutput(filesOf(path), mayReplace);
+}
+
+void checkOutput(const std::vector<fs::path>& files, bool mayReplace) {
+    for (const fs::path& file : files) {
         std::error_code ignored;
         if (!mayReplace && fs::exists(file, ignored) && !fs::is_directory(file, ignored))
             throw Error(file.string(), "is there already", "choose another name, or --overwrite");

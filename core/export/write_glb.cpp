@@ -27,16 +27,16 @@ bool isPlaceOfNode(const glm::mat4& transform) {
 
 class GlbBuilder {
 public:
-    GlbBuilder() {
+    explicit GlbBuilder(const ImageMetadata& metadata) {
+        const auto software = metadata.find("Software");
+        m_model.asset.generator = software == metadata.end() ? "Chiaro" : software->second;
         m_model.asset.version = "2.0";
         m_model.buffers.emplace_back();
         m_model.scenes.emplace_back();
         m_model.defaultScene = 0;
     }
 
-    void addTexture(const std::string& png, const TexturedScene& scene, const ImageMetadata& metadata) {
-        const auto software = metadata.find("Software");
-        m_model.asset.generator = software == metadata.end() ? "Chiaro" : software->second;
+    void addTexture(const std::string& png, Bake bake) {
         tinygltf::Image image;
         image.name = "paint";
         image.mimeType = "image/png";
@@ -51,7 +51,7 @@ public:
         texture.sampler = 0;
         texture.source = 0;
         m_model.textures.push_back(texture);
-        if (scene.bake == Bake::Lit) m_model.extensionsUsed.push_back(unlit);
+        if (bake == Bake::Lit) m_model.extensionsUsed.push_back(unlit);
     }
 
     void addObject(const TexturedObject& object) {
@@ -66,7 +66,7 @@ public:
         }
         tinygltf::Primitive primitive;
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
-        primitive.material = material(object.isDoubleSided);
+        if (!m_model.textures.empty()) primitive.material = material(object.isDoubleSided);
         primitive.attributes["POSITION"] = addVectors(positions, TINYGLTF_TYPE_VEC3);
         tinygltf::Accessor& accessor = m_model.accessors.back();
         glm::vec3 low = positions[0], high = low;
@@ -77,7 +77,8 @@ public:
         accessor.minValues = {double(low.x), double(low.y), double(low.z)};
         accessor.maxValues = {double(high.x), double(high.y), double(high.z)};
         primitive.attributes["NORMAL"] = addVectors(normals, TINYGLTF_TYPE_VEC3);
-        primitive.attributes["TEXCOORD_0"] = addVectors(object.coordinates, TINYGLTF_TYPE_VEC2);
+        if (!object.coordinates.empty())
+            primitive.attributes["TEXCOORD_0"] = addVectors(object.coordinates, TINYGLTF_TYPE_VEC2);
         primitive.indices = addIndices(triangles, positions.size());
         tinygltf::Mesh mesh;
         mesh.name = object.name;
@@ -172,8 +173,8 @@ private:
 
 std::string glbBytes(const std::filesystem::path& path, const TexturedScene& scene,
                      const ImageMetadata& metadata) {
-    GlbBuilder builder;
-    builder.addTexture(pngBytes(path, scene.texture, metadata), scene, metadata);
+    GlbBuilder builder(metadata);
+    if (!scene.texture.empty()) builder.addTexture(pngBytes(path, scene.texture, metadata), scene.bake);
     for (const TexturedObject& object : scene.objects) builder.addObject(object);
     return builder.bytes(path);
 }

@@ -18,6 +18,7 @@ struct EncodeRequest {
     Values type = Values::Bits8;
     const void* values = nullptr;
     ImageMetadata metadata;
+    int quality = 95;  ///< of JPEG, 1..100
 };
 
 /// What decodes and encodes picture files. It stands in a module of its own that is loaded when the first

@@ -21,12 +21,13 @@ OIIO::TypeDesc typeOf(EncodeRequest::Values values) {
     }
 }
 
-void describe(OIIO::ImageSpec& spec, ImageFormat format, const ImageMetadata& metadata) {
+void describe(OIIO::ImageSpec& spec, const EncodeRequest& request) {
+    const ImageFormat format = request.format;
     // Writers stamp the time unless told one: the same picture must give the same bytes.
     spec.attribute("DateTime", "");
     const bool anyKey = format == ImageFormat::Png || format == ImageFormat::OpenExr;
     std::string lines;
-    for (const auto& [key, value] : metadata) {
+    for (const auto& [key, value] : request.metadata) {
         if (anyKey || key == "Software") spec.attribute(key, value);
         std::string oneLine = value;
         std::replace(oneLine.begin(), oneLine.end(), '\n', ' ');
@@ -34,7 +35,7 @@ void describe(OIIO::ImageSpec& spec, ImageFormat format, const ImageMetadata& me
     }
     if (!anyKey && !lines.empty()) spec.attribute("ImageDescription", lines);
     if (format == ImageFormat::Jpeg) {
-        spec.attribute("CompressionQuality", 95);
+        spec.attribute("CompressionQuality", request.quality);
         spec.attribute("jpeg:subsampling", "4:4:4");
     }
     if (format == ImageFormat::OpenExr || format == ImageFormat::Tiff) spec.attribute("compression", "zip");
@@ -49,7 +50,7 @@ std::string encodeImage(const EncodeRequest& request) {
     if (request.channels == 2) spec.channelnames = {"X", "Y"};
     if (request.channels == 4 && request.format != ImageFormat::OpenExr)
         spec.attribute("oiio:UnassociatedAlpha", 1);
-    describe(spec, request.format, request.metadata);
+    describe(spec, request);
     // In memory, so that the disk is written by code that checks every write.
     OIIO::Filesystem::IOVecOutput memory;
     OIIO::Filesystem::IOProxy* proxy = &memory;
