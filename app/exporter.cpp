@@ -8,8 +8,11 @@
 #include "app/mesh_export_dialog.h"
 #include "app/meshes.h"
 #include "app/object_textures.h"
+#include "app/page_export.h"
 #include "app/paints.h"
 #include "app/playback.h"
+#include "app/replace_question.h"
+#include "core/export/relightable_page.h"
 #include "widgets/viewport/viewport.h"
 
 #include <QtWidgets>
@@ -106,6 +109,27 @@ void Exporter::exportMesh(const QString& folder) {
             if (report.charts > 0 && report.padding < settings.params.padding)
                 note += tr(" · its texture has so many parts that they lie %1 px apart").arg(report.padding);
             Q_EMIT exported(note);
+        });
+}
+
+void Exporter::exportPage(const QString& folder) {
+    QFileDialog dialog(m_viewport.window(), tr("Export Relightable Page"), folder, tr("Web pages (*.html)"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setOption(QFileDialog::DontConfirmOverwrite);  // the name may still get its extension
+    dialog.selectFile(nameOf(suggestion(folder, ".html")));
+    if (dialog.exec() != QDialog::Accepted) return;
+    std::filesystem::path path = dialog.selectedFiles().front().toStdString();
+    if (!exporting::isPage(path)) path += ".html";
+    if (!mayReplace(dialog, {path})) return;
+    m_jobs.start(
+        {tr("Exporting %1").arg(nameOf(path)), {}, {}, {}},
+        [source = source(), path](const Task& task) {
+            app::exportPage(source, path, task);
+            return true;
+        },
+        [this, path](bool) {
+            Q_EMIT exported(
+                tr("The page is at %1 · open it in any browser").arg(QString::fromStdString(path.string())));
         });
 }
 

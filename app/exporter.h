@@ -33,6 +33,7 @@ public:
     void exportPicture(const QString& folder);
     void renderAnimation(const QString& folder);
     void exportMesh(const QString& folder);
+    void exportPage(const QString& folder);
 
 Q_SIGNALS:
     /// What was written, and where.

@@ -32,6 +32,8 @@ FileMenu::FileMenu(Document& document, ProjectFiles& files, ProjectCollector& co
              [&] { exporter.exportPicture(files.folder()); });
     addEntry(*this, nullptr, tr("Export M&esh…"), QKeySequence("Ctrl+Shift+E"),
              [&] { exporter.exportMesh(files.folder()); });
+    addEntry(*this, nullptr, tr("Export &Relightable Page…"), {},
+             [&] { exporter.exportPage(files.folder()); });
     addSeparator();
     addEntry(*this, nullptr, tr("&Quit"), QKeySequence::Quit, [&] { window.close(); });
 }
