@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Exports the demo scene and every real mesh up to 4 MB, larger ones being slow, as GLB and has each validated.
+# Exports the demo scene and every real mesh as GLB and has each validated.
 # validate_exports.sh CHIARO MODULE_FOLDER RESOURCES DATA; 77 (skipped) without the validator
 set -euo pipefail
 chiaro=$1 modules=$2 resources=$3 data=$4
@@ -21,6 +21,6 @@ if [ -d "$data/meshes" ]; then
         number=$((number + 1))
         "$chiaro" export --mesh "$mesh" --sample "$resources/demo/samples/oil.png" -o "$folder/$number.glb" \
             "${quick[@]}" --atlas 1024
-    done < <(find "$data/meshes" -type f -size -4M -print0 | sort -z)
+    done < <(find "$data/meshes" -type f -print0 | sort -z)
 fi
 node "$(dirname "$0")/validate_glb.js" "$modules" "$folder"/*.glb

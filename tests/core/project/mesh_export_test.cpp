@@ -1,6 +1,8 @@
 #include "core/project/mesh_export.h"
 
 #include "core/base/error.h"
+#include "core/export/view_pictures.h"
+#include "core/methods/view_map.h"
 #include "tests/core/export/glb_reader.h"
 #include "tests/core/views/meshes.h"
 #include "tests/support/support.h"
@@ -103,6 +105,89 @@ TEST(MeshExport, OfTheOtherMethodsKeepsColourAndContrast) {
         EXPECT_LT(difference.mean, 30);  // other strokes, of the same paint on the same light
         EXPECT_NEAR(difference.contrast, 1, 0.25);
         std::printf("%s: %.1f of 255, contrast %.2f\n", method, difference.mean, difference.contrast);
+    }
+}
+
+/// The picture that a method paints of a view of an object's plan, and which place each pixel shows, where
+/// that view is by far the best one of the place.
+struct PlanPicture {
+    scene::GBuffer seen;
+    ColorImage color;
+    std::size_t pixels = 0;
+
+    PlanPicture(const TwoBalls& balls, std::size_t group) {
+        const auto planned = planObject(balls.project, balls.scene, 0);
+        const methods::ViewWeights weights(*planned, balls.project.views.epsilon);
+        const exporting::SurfaceLight light(balls.scene, Bake::Lit);
+        const auto textures = exporting::paintViews(
+            *planned, weights, 0, light, [&](const scene::GBuffer& guide, const Task& task) {
+                return renderFrame(balls.project, balls.wornByObjects(), guide, task).frame;
+            });
+        const methods::ViewMap map = methods::ViewMap::of(*planned, group);
+        seen.width = map.face.width();
+        seen.height = map.face.height();
+        seen.objectId = IdImage(seen.width, seen.height);
+        seen.faceId = Image<std::uint32_t>(seen.width, seen.height);
+        seen.barycentrics = Image<glm::vec2>(seen.width, seen.height);
+        color = ColorImage(seen.width, seen.height);
+        for (int y = 0; y < seen.height; ++y)
+            for (int x = 0; x < seen.width; ++x) {
+                const std::uint32_t face = map.face(x, y);
+                if (face == views::noFace) continue;
+                const auto place = bestSeen(weights.of(face), group, map.center(x, y));
+                if (!place) continue;
+                const float l = light.at(0, face, *place);
+                const glm::vec3 texture = textures.views[group].at(0, map.center(x, y));
+                seen.objectId(x, y) = 1;
+                seen.faceId(x, y) = face;
+                seen.barycentrics(x, y) = *place;
+                color(x, y) =
+                    glm::clamp(gradient::lookUp(balls.paints[0].shown, double(l)) + texture, 0.0f, 1.0f);
+                ++pixels;
+            }
+    }
+
+private:
+    /// Where on a face a position in the group's map lies; empty beyond the face, and where another view
+    /// counts.
+    static std::optional<glm::vec2> bestSeen(std::span<const methods::ViewWeights::FaceView> views,
+                                             std::size_t group, glm::vec2 position) {
+        const auto own = std::ranges::find(views, group, &methods::ViewWeights::FaceView::group);
+        const glm::vec2 origin = own->corners[0].position;
+        const glm::mat2 sides{own->corners[1].position - origin, own->corners[2].position - origin};
+        const glm::vec2 place = glm::inverse(sides) * (position - origin);
+        const glm::vec3 corners(1 - place.x - place.y, place);
+        if (std::min({corners.x, corners.y, corners.z}) < 0) return {};
+        float most = 0, mine = 0;
+        for (const methods::ViewWeights::FaceView& view : views) {
+            float weight = 0;
+            for (int k = 0; k < 3; ++k) weight += view.corners[std::size_t(k)].weight * corners[k];
+            (view.group == group ? mine : most) = std::max(view.group == group ? mine : most, weight);
+        }
+        return mine > 2 * most ? std::optional(place) : std::nullopt;
+    }
+};
+
+TEST(MeshExport, ShowsThePicturesThatTheOtherMethodsPaintOfThePlansViews) {
+    for (const char* method : {"view-aligned", "image-based"}) {
+        SCOPED_TRACE(method);
+        const TwoBalls balls(method);
+        const test::TemporaryFolder folder;
+        writeTexturedScene(folder / "balls.glb", balls.exported().scene);
+        const test::GlbScene glb = test::readGlb(folder / "balls.glb");
+        for (const std::size_t view : {0u, 3u, 5u}) {
+            const PlanPicture own(balls, view);
+            const test::UnlitPicture unlit = test::unlitPicture(glb, own.seen);
+            double difference = 0;
+            for (std::size_t i = 0; i < own.color.pixelCount(); ++i)
+                if (unlit.covered.pixels()[i])
+                    difference += double(glm::dot(glm::abs(unlit.color.pixels()[i] - own.color.pixels()[i]),
+                                                  glm::vec3(255.0f / 3)));
+            EXPECT_GT(own.pixels, 500u) << "view " << view;
+            EXPECT_LT(difference / double(own.pixels), 4) << "view " << view;
+            std::printf("%s, view %zu: %.2f of 255 over %zu px\n", method, view,
+                        difference / double(own.pixels), own.pixels);
+        }
     }
 }
 
