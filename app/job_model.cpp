@@ -1,5 +1,7 @@
 #include "app/job_model.h"
 
+#include "widgets/icon_engine.h"
+
 #include <QtWidgets>
 
 #include <algorithm>
@@ -67,7 +69,7 @@ QVariant JobModel::data(const QModelIndex& index, int role) const {
             return failed ? ending->title + "\n" + ending->reason : ending->title;
         case Qt::ForegroundRole:
             if (runs) return {};
-            if (failed && index.column() == State) return QBrush(QColor(0xe8, 0x90, 0x70));
+            if (failed && index.column() == State) return QBrush(widgets::iconColors().error);
             return QApplication::palette().brush(QPalette::PlaceholderText);
         case Qt::TextAlignmentRole:
             return int(Qt::AlignVCenter | (index.column() == Time ? Qt::AlignRight : Qt::AlignLeft));

@@ -28,9 +28,12 @@
 #include "app/project_files.h"
 #include "app/project_pictures.h"
 #include "app/safekeeping.h"
+#include "app/theme.h"
+#include "app/theme_colors.h"
 #include "app/view_overlays.h"
 #include "app/viewport_link.h"
 #include "widgets/message_bar.h"
+#include "widgets/picture.h"
 #include "widgets/viewport/viewport.h"
 
 #include <QtWidgets>
@@ -41,7 +44,6 @@ namespace {
 
 constexpr std::size_t memoBytes = std::size_t(1) << 30;
 constexpr int layoutVersion = 4;  ///< of the saved arrangement of docks
-constexpr glm::vec3 viewportBackground(0.165F);
 
 }  // namespace
 
@@ -89,7 +91,7 @@ void MainWindow::makeCentralView() {
     auto* center = new QWidget;
     m_messages = new widgets::MessageBar;
     m_viewport = new widgets::Viewport;
-    m_viewport->setBackground(viewportBackground);
+    followTheme();
     auto* layout = new QVBoxLayout(center);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -194,9 +196,9 @@ void MainWindow::makeStatusBar() {
 }
 
 void MainWindow::makeMenus() {
-    auto* view = new ViewMenu(*m_viewport, *m_compare, *new CameraMoves(m_document, *m_viewport, this),
+    m_viewMenu = new ViewMenu(*m_viewport, *m_compare, *new CameraMoves(m_document, *m_viewport, this),
                               *m_viewOverlays, *m_metrics, *this);
-    connect(view, &ViewMenu::resetLayoutWanted, this, [this] {
+    connect(m_viewMenu, &ViewMenu::resetLayoutWanted, this, [this] {
         restoreState(m_standardState, layoutVersion);
         arrangeDocks();
     });
@@ -210,7 +212,7 @@ void MainWindow::makeMenus() {
     const std::initializer_list<QMenu*> menus{
         new FileMenu(m_document, *m_files, *m_collector, *m_exporter, *this),
         new EditMenu(m_document.undoStack(), *this),
-        view,
+        m_viewMenu,
         sample,
         new SceneMenu(*m_files, *m_sceneDock, *this),
         new RenderMenu(*m_methods, *m_files, *m_exporter, *m_timelineDock, *this),
@@ -265,6 +267,19 @@ void MainWindow::showTitle() {
         m_document.isReadOnly() ? tr("%1 (read-only)").arg(m_document.name()) : m_document.name();
     setWindowTitle(tr("%1[*] — Chiaro").arg(name));
     setWindowModified(m_document.isModified());
+}
+
+void MainWindow::addAppearance(ThemeSwitch& theme) {
+    m_viewMenu->addAppearance(theme);
+}
+
+void MainWindow::followTheme() {
+    m_viewport->setBackground(widgets::fromColor(themeColor("viewport", showsDarkTheme())));
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) followTheme();
 }
 
 void MainWindow::restoreLayout() {

@@ -34,7 +34,9 @@ class ProjectFiles;
 class Safekeeping;
 class SampleDock;
 class SceneDock;
+class ThemeSwitch;
 class TimelineDock;
+class ViewMenu;
 class ViewOverlays;
 class ViewPlanningDock;
 
@@ -47,6 +49,8 @@ public:
     MainWindow();
     ~MainWindow() override;
 
+    /// Theme and language, to choose in the View menu.
+    void addAppearance(ThemeSwitch& theme);
     void open(const QStringList& paths) { m_opener.open(paths); }
     /// Where docks were and how large the window was when it was closed last.
     void restoreLayout();
@@ -81,6 +85,7 @@ Q_SIGNALS:
     void errorShown(const QString& message);
 
 protected:
+    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -97,6 +102,7 @@ private:
     void makeMenus();
     void connectParts();
     void showTitle();
+    void followTheme();
 
     // What the window shows, in the order that it depends on each other.
     Document m_document;
@@ -128,6 +134,7 @@ private:
     Exporter* m_exporter = nullptr;
     Safekeeping* m_safekeeping = nullptr;
     QLabel* m_frameTime = nullptr;
+    ViewMenu* m_viewMenu = nullptr;
     QByteArray m_standardState;
     bool m_isArranged = false;
 };

@@ -1,54 +1,86 @@
 #include "app/theme.h"
 
+#include "app/system_theme.h"
+#include "app/theme_colors.h"
+#include "widgets/icon_engine.h"
+
 #include <QtWidgets>
 
 namespace chiaro::app {
 
 namespace {
 
-const QColor accent(0xd8, 0x9b, 0x4a);
+struct ThemeName {
+    Theme theme;
+    const char* key;
+    const char* label;
+};
 
-QPalette darkPalette() {
-    const QColor window(0x2e, 0x2e, 0x2e);
-    const QColor base(0x20, 0x20, 0x20);
-    const QColor button(0x3d, 0x3d, 0x3d);
-    const QColor text(0xd8, 0xd8, 0xd8);
-    const QColor dim(0x98, 0x98, 0x98);
-    const QColor disabled(0x6c, 0x6c, 0x6c);
+constexpr ThemeName themes[] = {
+    {Theme::Dark, "dark", QT_TRANSLATE_NOOP("chiaro::app::ThemeSwitch", "&Dark")},
+    {Theme::Light, "light", QT_TRANSLATE_NOOP("chiaro::app::ThemeSwitch", "&Light")},
+    {Theme::System, "system", QT_TRANSLATE_NOOP("chiaro::app::ThemeSwitch", "As the &System")},
+};
 
-    QPalette palette(button, window);
-    palette.setColor(QPalette::Base, base);
-    palette.setColor(QPalette::AlternateBase, QColor(0x26, 0x26, 0x26));
-    palette.setColor(QPalette::WindowText, text);
-    palette.setColor(QPalette::Text, text);
-    palette.setColor(QPalette::ButtonText, text);
-    palette.setColor(QPalette::BrightText, Qt::white);
-    palette.setColor(QPalette::PlaceholderText, dim);
-    palette.setColor(QPalette::Highlight, accent);
-    palette.setColor(QPalette::HighlightedText, QColor(0x18, 0x18, 0x18));
-    palette.setColor(QPalette::Link, accent);
-    palette.setColor(QPalette::ToolTipBase, QColor(0x18, 0x18, 0x18));
-    palette.setColor(QPalette::ToolTipText, text);
-    palette.setColor(QPalette::Light, QColor(0x4c, 0x4c, 0x4c));
-    palette.setColor(QPalette::Mid, QColor(0x28, 0x28, 0x28));
-    palette.setColor(QPalette::Dark, QColor(0x1c, 0x1c, 0x1c));
-    for (QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-        palette.setColor(QPalette::Disabled, role, disabled);
-    palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor(0x55, 0x55, 0x55));
-    return palette;
-}
+const char* const settingsKey = "theme";
 
 }  // namespace
 
-void applyTheme(QApplication& application) {
+std::optional<Theme> themeOfName(const QString& name) {
+    for (const ThemeName& one : themes)
+        if (name == one.key) return one.theme;
+    return std::nullopt;
+}
+
+Theme ThemeSwitch::remembered() {
+    return themeOfName(QSettings().value(settingsKey).toString()).value_or(Theme::Dark);
+}
+
+ThemeSwitch::ThemeSwitch(Theme theme, QObject* parent)
+    : QObject(parent), m_theme(theme), m_system(new SystemTheme(QApplication::palette(), this)) {
     QApplication::setStyle(QStyleFactory::create("Fusion"));
-    QApplication::setPalette(darkPalette());
     QFont font = QApplication::font();
     font.setPointSizeF(9);
     QApplication::setFont(font);
+    QApplication::setWindowIcon(QIcon(":/icons/chiaro.svg"));
+    connect(m_system, &SystemTheme::changed, this, [this] {
+        if (m_theme == Theme::System) show();
+    });
+    show();
+}
+
+bool ThemeSwitch::isDark() const {
+    return m_theme == Theme::System ? m_system->isDark() : m_theme == Theme::Dark;
+}
+
+void ThemeSwitch::setTheme(Theme theme) {
+    if (std::exchange(m_theme, theme) != theme) show();
+}
+
+void ThemeSwitch::show() {
+    const bool dark = isDark();
+    widgets::setIconColors({themeColor("icon", dark), themeColor("note", dark), themeColor("error", dark)});
+    QApplication::setPalette(themePalette(dark));
     QFile sheet(":/studio.qss");
-    if (sheet.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(sheet.readAll()));
-    application.setWindowIcon(QIcon(":/icons/chiaro.svg"));
+    if (sheet.open(QIODevice::ReadOnly)) qApp->setStyleSheet(inked(QString::fromUtf8(sheet.readAll()), dark));
+}
+
+void ThemeSwitch::addTo(QMenu& menu) {
+    auto* group = new QActionGroup(&menu);
+    for (const ThemeName& one : themes) {
+        QAction* action = menu.addAction(tr(one.label));
+        action->setCheckable(true);
+        action->setChecked(one.theme == m_theme);
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, one] {
+            setTheme(one.theme);
+            QSettings().setValue(settingsKey, one.key);
+        });
+    }
+}
+
+bool showsDarkTheme() {
+    return QApplication::palette().color(QPalette::Window).lightnessF() < 0.5;
 }
 
 }  // namespace chiaro::app

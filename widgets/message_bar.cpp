@@ -23,11 +23,21 @@ MessageBar::MessageBar(QWidget* parent) : QWidget(parent), m_icon(new QLabel), m
 
 void MessageBar::showMessage(const QString& text, Kind kind) {
     m_text->setText(text);
-    m_icon->setPixmap(icon(kind == Kind::Error ? "error" : "note").pixmap(18));
     setProperty("error", kind == Kind::Error);
+    showIcon();
     style()->unpolish(this);
     style()->polish(this);
     show();
+}
+
+void MessageBar::showIcon() {
+    constexpr QSize size(18, 18);
+    m_icon->setPixmap(icon(property("error").toBool() ? "error" : "note").pixmap(size, devicePixelRatioF()));
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) showIcon();
+    QWidget::changeEvent(event);
 }
 
 QString MessageBar::text() const {

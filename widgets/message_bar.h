@@ -18,7 +18,12 @@ public:
     void showMessage(const QString& text, Kind kind);
     QString text() const;
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void showIcon();
+
     QLabel* m_icon = nullptr;
     QLabel* m_text = nullptr;
 };

@@ -30,6 +30,14 @@ double azimuthOf(const glm::dvec3& direction) {
     return std::atan2(direction.x, direction.z) / degree;
 }
 
+/// `first` with `share` of `second`, for what steps back in a dark palette and in a light one.
+QColor mixed(const QColor& first, const QColor& second, double share) {
+    const auto channel = [&](double a, double b) { return a + share * (b - a); };
+    return QColor::fromRgbF(float(channel(first.redF(), second.redF())),
+                            float(channel(first.greenF(), second.greenF())),
+                            float(channel(first.blueF(), second.blueF())));
+}
+
 }  // namespace
 
 ViewSphere::ViewSphere(QWidget* parent) : QWidget(parent) {
@@ -316,7 +324,8 @@ void ViewSphere::paintCircle(QPainter& painter, const glm::dvec3& u, const glm::
         const glm::dvec3 begin = point(i);
         const glm::dvec3 end = point(i + 1);
         QPainterPath& path = isNear(begin + end) ? near : far;
-        path.moveTo(position(begin));
+        // One line as long as it goes on: ends that overlap would show as dots.
+        if (path.currentPosition() != position(begin)) path.moveTo(position(begin));
         path.lineTo(position(end));
     }
     QColor color = palette().color(QPalette::Text);
@@ -358,7 +367,7 @@ void ViewSphere::paintMarker(QPainter& painter, int view) const {
     const double r = markerRadius() * (near ? 1 : 0.8) * (marker.pass > 1 ? 0.82 : 1);
     const QColor accent = palette().color(QPalette::Highlight);
     QColor fill = marker.isPlaced ? accent : palette().color(QPalette::Text);
-    if (marker.pass > 1) fill = fill.darker(150);
+    if (marker.pass > 1) fill = mixed(fill, palette().color(QPalette::Window), 0.35);
     QColor edge = near ? palette().color(QPalette::Dark) : fill;
     if (!near) {
         edge.setAlpha(150);
@@ -384,7 +393,8 @@ void ViewSphere::paintMarker(QPainter& painter, int view) const {
     small.setPixelSize(int(r * 1.25));
     small.setBold(near);
     painter.setFont(small);
-    painter.setPen(near ? palette().color(QPalette::HighlightedText) : edge);
+    painter.setPen(near ? palette().color(marker.isPlaced ? QPalette::HighlightedText : QPalette::Base)
+                        : edge);
     painter.drawText(QRectF(at - QPointF(r, r), at + QPointF(r, r)), Qt::AlignCenter,
                      QString::number(marker.number));
 }

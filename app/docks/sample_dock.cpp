@@ -143,7 +143,7 @@ void SampleDock::showSwatch(int sample) {
     if (item == nullptr) return;
     QPixmap swatch(swatchSize * devicePixelRatioF());
     swatch.setDevicePixelRatio(devicePixelRatioF());
-    swatch.fill(palette().color(QPalette::Window));
+    swatch.fill(Qt::transparent);
     const gradient::Gradient gradient = m_paints.gradient(sample);
     if (!gradient.empty()) {
         QPainter painter(&swatch);

@@ -105,12 +105,14 @@ QToolButton* ViewPlanningDock::makePresets() {
 }
 
 void ViewPlanningDock::addSwitches(const QList<QAction*>& actions) {
+    QWidget* before = m_replan;
     for (QAction* action : actions) {
         auto* button = new QToolButton;
         button->setDefaultAction(action);
         button->setAutoRaise(true);
         button->setAccessibleName(action->toolTip());
         m_switches->addWidget(button);
+        setTabOrder(std::exchange(before, button), button);
     }
 }
 
@@ -281,9 +283,15 @@ QPixmap ViewPlanningDock::thumbnail(int view, bool isSelected) const {
     small.setPixelSize(10);
     small.setBold(true);
     painter.setFont(small);
-    painter.setPen(palette().color(QPalette::HighlightedText));
+    painter.setPen(palette().color(isPlaced ? QPalette::HighlightedText : QPalette::Base));
     painter.drawText(badge, Qt::AlignCenter, QString::number(view + 1));
     return pixmap;
+}
+
+void ViewPlanningDock::changeEvent(QEvent* event) {
+    Dock::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_coverage)
+        showViews();  // pictures are drawn on its colours
 }
 
 void ViewPlanningDock::showSelection() {

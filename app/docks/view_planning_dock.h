@@ -59,6 +59,9 @@ Q_SIGNALS:
     /// Other views, another selection, or another object.
     void shownViewsChanged();
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     QWidget* makeTools();
     QWidget* makeThumbnails();

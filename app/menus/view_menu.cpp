@@ -2,8 +2,10 @@
 
 #include "app/camera_moves.h"
 #include "app/compare_tools.h"
+#include "app/language.h"
 #include "app/menus/menu_entry.h"
 #include "app/metric_tools.h"
+#include "app/theme.h"
 #include "app/view_overlays.h"
 #include "widgets/viewport/viewport.h"
 
@@ -25,6 +27,12 @@ ViewMenu::ViewMenu(widgets::Viewport& viewport, CompareTools& compare, const Cam
     addSeparator();
     for (QDockWidget* dock : window.findChildren<QDockWidget*>()) addAction(dock->toggleViewAction());
     addEntry(*this, nullptr, tr("&Reset Layout"), {}, [this] { Q_EMIT resetLayoutWanted(); });
+}
+
+void ViewMenu::addAppearance(ThemeSwitch& theme) {
+    addSeparator();
+    theme.addTo(*addMenu(tr("&Theme")));
+    addLanguagesTo(*addMenu(tr("&Language")), parentWidget());
 }
 
 void ViewMenu::addNavigation() {

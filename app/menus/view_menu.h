@@ -11,6 +11,7 @@ namespace chiaro::app {
 class CameraMoves;
 class CompareTools;
 class MetricTools;
+class ThemeSwitch;
 class ViewOverlays;
 
 /// How the scene is looked at, what lies over it, and which docks are there.
@@ -21,6 +22,9 @@ public:
     /// Lists the docks that `window` has by now.
     ViewMenu(widgets::Viewport& viewport, CompareTools& compare, const CameraMoves& moves,
              const ViewOverlays& overlays, const MetricTools& metrics, QWidget& window);
+
+    /// Theme and language, to choose.
+    void addAppearance(ThemeSwitch& theme);
 
 Q_SIGNALS:
     void resetLayoutWanted();

@@ -60,7 +60,9 @@ void LightSphere::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.drawImage(rect(), rendered(qRound(diameter * devicePixelRatioF())));
-    painter.setPen(QPen(QColor(255, 255, 255, 150), 1.2));
+    QColor rim = palette().color(QPalette::Text);
+    rim.setAlpha(150);
+    painter.setPen(QPen(rim, 1.2));
     painter.drawEllipse(QRectF(rect()).adjusted(0.8, 0.8, -0.8, -0.8));
 }
 
