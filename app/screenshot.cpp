@@ -17,8 +17,13 @@ constexpr int maximumLooks = 300'000 / lookMilliseconds;
 
 }  // namespace
 
-Screenshot::Screenshot(MainWindow& window, const QString& path)
-    : QObject(&window), m_window(window), m_path(path) {
+Screenshot::Screenshot(MainWindow& window, const QString& path, const QString& dock)
+    : QObject(&window), m_window(window), m_path(path), m_shown(&window) {
+    if (auto* wanted = window.findChild<QDockWidget*>(dock + "-dock")) {
+        m_shown = wanted;
+        wanted->show();
+        wanted->raise();
+    }
     // Queued: an error before the event loop runs must end it too.
     const auto fail = [](const QString& message) {
         std::fprintf(stderr, "chiaro-studio: %s\n", qPrintable(message));
@@ -40,7 +45,7 @@ void Screenshot::look() {
 void Screenshot::take() {
     m_timer.stop();
     m_window.viewport().picture();  // waits for the texels of what is new
-    const bool written = m_window.grab().save(m_path);
+    const bool written = m_shown->grab().save(m_path);
     if (!written) std::fprintf(stderr, "chiaro-studio: %s: can't be written\n", qPrintable(m_path));
     QCoreApplication::exit(written ? 0 : 1);
 }

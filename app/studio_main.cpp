@@ -1,12 +1,23 @@
+#include "app/first_hints.h"
+#include "app/forgotten_settings.h"
+#include "app/language.h"
 #include "app/main_window.h"
 #include "app/screenshot.h"
+#include "app/start_clock.h"
+#include "app/studio_options.h"
 #include "app/theme.h"
 #include "core/base/memory_reserve.h"
 #include "core/base/resources.h"
+#include "widgets/viewport/gl_support.h"
 
 #include <QApplication>
-#include <QCommandLineParser>
-#include <QTimer>
+#include <QLabel>
+#include <QStatusBar>
+
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+#include <string_view>
 
 namespace {
 
@@ -20,37 +31,61 @@ QStringList demoProject() {
     }
 }
 
+bool isAmong(int argc, char** argv, std::initializer_list<std::string_view> wanted) {
+    return std::any_of(argv + 1, argv + argc,
+                       [&](const char* one) { return std::ranges::find(wanted, one) != wanted.end(); });
+}
+
+void saySafe(QMainWindow& window) {
+    const QString text = QCoreApplication::translate("chiaro::app::SafeMode", "Safe mode");
+    auto* label = new QLabel(text);
+    label->setObjectName("safe-mode");
+    label->setToolTip(QCoreApplication::translate(
+        "chiaro::app::SafeMode",
+        "Started with --safe: without OpenGL, in the usual layout, and nothing is remembered."));
+    window.statusBar()->addPermanentWidget(label);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     chiaro::keepMemoryReserve();
-    // Floating a dock makes a new OpenGL context, which finds the textures of the old one.
-    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QApplication application(argc, argv);
     QCoreApplication::setOrganizationName("Chiaro");
     QCoreApplication::setApplicationName("Chiaro");
     QCoreApplication::setApplicationVersion(CHIARO_VERSION);
+    if (isAmong(argc, argv, {"--help", "-h", "--version", "-v"})) {
+        const QCoreApplication withoutDisplay(argc, argv);
+        chiaro::app::parseStudioOptions(QCoreApplication::arguments());
+    }
+    // Floating a dock makes a new OpenGL context, which finds the textures of the old one. It opens the
+    // driver as soon as there is an application, before that has read any argument.
+    if (!isAmong(argc, argv, {"--safe"})) QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication application(argc, argv);
+    QGuiApplication::setDesktopFileName("io.github.chiaro.studio");
     Q_INIT_RESOURCE(resources);
-    chiaro::app::applyTheme(application);
+    Q_INIT_RESOURCE(translations);
 
-    QCommandLineParser parser;
-    parser.setApplicationDescription("Shades 3D meshes with an artist's own paint.");
-    parser.addHelpOption();
-    parser.addVersionOption();
-    parser.addPositionalArgument("FILE", "Projects, strips and meshes to open; the demo without any.",
-                                 "[FILE...]");
-    const QCommandLineOption screenshot(
-        "screenshot", "Write a picture of the window once everything has settled, and quit.", "OUT.png");
-    parser.addOption(screenshot);
-    parser.process(application);
+    using namespace chiaro::app;
+    const StudioOptions options = parseStudioOptions(QCoreApplication::arguments());
+    const bool isAttended = options.screenshot.isEmpty() && !options.timesStart;
+    std::optional<ForgottenSettings> forgotten;
+    if (options.isSafe || !isAttended) forgotten.emplace();
+    if (options.isSafe) chiaro::widgets::forbidOpenGl();
+    installLanguage(spokenLanguage(options.language.isEmpty() ? rememberedLanguage() : options.language));
+    ThemeSwitch theme(options.theme.value_or(ThemeSwitch::remembered()));
 
-    chiaro::app::MainWindow window;
-    if (!parser.isSet(screenshot)) window.restoreLayout();
+    MainWindow window;
+    window.addAppearance(theme);
+    if (options.isSafe) saySafe(window);
+    window.restoreLayout();
+    if (options.size.isValid()) window.resize(options.size);
     window.show();
-    const QStringList files = parser.positionalArguments();
-    if (parser.isSet(screenshot)) new chiaro::app::Screenshot(window, parser.value(screenshot));
-    const bool isAttended = !parser.isSet(screenshot);
+    if (!options.screenshot.isEmpty()) new Screenshot(window, options.screenshot, options.dock);
+    if (options.timesStart) new StartClock(window);
     const bool isRecovering = isAttended && window.keepWorkSafe();
-    if (!isRecovering || !files.isEmpty()) window.open(files.isEmpty() ? demoProject() : files);
+    if (isAttended && !isRecovering && !options.isSafe && options.files.isEmpty() && !FirstHints::wereSeen())
+        new FirstHints(window.viewport());
+    if (!isRecovering || !options.files.isEmpty())
+        window.open(options.files.isEmpty() ? demoProject() : options.files);
     return QApplication::exec();
 }

@@ -12,4 +12,4 @@ pictures=resources/pictures
     --object cloth=$paint/watercolour.png --object bottle=$paint/watercolour.png --object jug=$paint/impasto.png \
     --object bowl=$paint/charcoal.png --object pear=$paint/pastel.png --object table=$paint/hatching.png \
     --light -0.7,0.6,0.45 --camera 12,16,1 --size 800x800 -o $pictures/still_life.jpg
-tests/support/with_display "$programs/chiaro-studio" --screenshot $pictures/studio.png
+tests/support/with_display "$programs/chiaro-studio" --language en --theme dark --screenshot $pictures/studio.png

@@ -37,7 +37,10 @@ QByteArray shaderSource(const QString& name, const std::vector<ShaderConstant>& 
     return source;
 }
 
+bool isOpenGlForbidden = false;
+
 OpenGlSupport probe() {
+    if (isOpenGlForbidden) return {};
     const QString platform = QGuiApplication::platformName();
     if (platform == "offscreen" || platform == "minimal") return {};
     QOpenGLContext context;
@@ -54,6 +57,10 @@ OpenGlSupport probe() {
 }
 
 }  // namespace
+
+void forbidOpenGl() {
+    isOpenGlForbidden = true;
+}
 
 const OpenGlSupport& openGlSupport() {
     static const OpenGlSupport support = probe();

@@ -26,6 +26,9 @@ struct OpenGlSupport {
 /// OpenGL: a QOpenGLWidget shown there crashes inside Qt.
 const OpenGlSupport& openGlSupport();
 
+/// From now on there is none, whatever the driver could: called before the first viewport is made.
+void forbidOpenGl();
+
 /// What the viewport's context is made with. Its framebuffer has one sample a pixel: GlGBuffer has more.
 QSurfaceFormat openGlFormat();
 
