@@ -2,6 +2,7 @@
 
 #include "core/project/comparison_report.h"
 #include "core/project/render_method.h"
+#include "widgets/core_text.h"
 
 #include <QtWidgets>
 
@@ -91,8 +92,8 @@ QVariant ComparisonTable::headerData(int section, Qt::Orientation orientation, i
         return tr("What the report found with its own paints and meshes");
     if (role != Qt::DisplayRole) return {};
     if (orientation == Qt::Vertical)
-        return QString::fromUtf8(project::comparedErrors()[std::size_t(section)].name);
-    return isReported(section) ? tr("report") : QString::fromStdString(methodOf(section).label);
+        return widgets::coreText(project::comparedErrors()[std::size_t(section)].name);
+    return isReported(section) ? tr("report") : widgets::coreText(methodOf(section).label);
 }
 
 }  // namespace chiaro::app

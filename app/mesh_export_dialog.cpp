@@ -18,16 +18,16 @@ struct Format {
 
 // In the order of exporting::MeshFormat.
 constexpr Format formats[] = {
-    {"glb", QT_TRANSLATE_NOOP("MeshExportDialog", "GLB (glTF)"),
-     QT_TRANSLATE_NOOP("MeshExportDialog",
+    {"glb", QT_TRANSLATE_NOOP("chiaro::app::MeshExportDialog", "GLB (glTF)"),
+     QT_TRANSLATE_NOOP("chiaro::app::MeshExportDialog",
                        "One file with mesh and paint, for Blender, game engines and the web."),
      true},
-    {"obj", QT_TRANSLATE_NOOP("MeshExportDialog", "OBJ with a picture"),
-     QT_TRANSLATE_NOOP("MeshExportDialog",
+    {"obj", QT_TRANSLATE_NOOP("chiaro::app::MeshExportDialog", "OBJ with a picture"),
+     QT_TRANSLATE_NOOP("chiaro::app::MeshExportDialog",
                        "Three files: mesh, material and picture. Every program reads them."),
      true},
-    {"ply", QT_TRANSLATE_NOOP("MeshExportDialog", "PLY with vertex colours"),
-     QT_TRANSLATE_NOOP("MeshExportDialog",
+    {"ply", QT_TRANSLATE_NOOP("chiaro::app::MeshExportDialog", "PLY with vertex colours"),
+     QT_TRANSLATE_NOOP("chiaro::app::MeshExportDialog",
                        "No picture: strokes show only on meshes whose faces are smaller than they are."),
      false}};
 

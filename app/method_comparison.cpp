@@ -14,27 +14,43 @@ const ParameterTable<ComparisonSettings>& ComparisonSettings::table() {
     static const auto table =
         ParameterTable<Settings>()
             .add(&Settings::movement,
-                 ParameterSpec::choice("movement", "Movement", {"approach", "turntable", "timeline"},
+                 ParameterSpec::choice(
+                     "movement", QT_TRANSLATE_NOOP("Core", "Movement"),
+                     {QT_TRANSLATE_NOOP("Core", "approach"), QT_TRANSLATE_NOOP("Core", "turntable"),
+                      QT_TRANSLATE_NOOP("Core", "timeline")},
+                     QT_TRANSLATE_NOOP("Core",
                                        "What moves: the camera comes nearer, it goes around, or what the "
-                                       "timeline's keys say."))
+                                       "timeline's keys say.")))
             .add(&Settings::asReported,
-                 ParameterSpec::boolean("as-reported", "As reported",
-                                        "Let methods animate as in the report: each image-based frame close "
-                                        "to the one before, a 3D texture that keeps its scale. Off: as this "
-                                        "project says."))
-            .add(&Settings::frames, ParameterSpec::integer("frames", "Frames", "", 2, 240,
-                                                           "How many frames are painted and measured."))
-            .add(&Settings::period, ParameterSpec::integer("period", "Turn", "frames", 2, 1000,
-                                                           "In how many frames a turntable goes around."))
+                 ParameterSpec::boolean(
+                     "as-reported", QT_TRANSLATE_NOOP("Core", "As reported"),
+                     QT_TRANSLATE_NOOP("Core",
+                                       "Let methods animate as in the report: each image-based frame close "
+                                       "to the one before, a 3D texture that keeps its scale. Off: as this "
+                                       "project says.")))
+            .add(&Settings::frames,
+                 ParameterSpec::integer(
+                     "frames", QT_TRANSLATE_NOOP("Core", "Frames"), "", 2, 240,
+                     QT_TRANSLATE_NOOP("Core", "How many frames are painted and measured.")))
+            .add(&Settings::period,
+                 ParameterSpec::integer(
+                     "period", QT_TRANSLATE_NOOP("Core", "Turn"), QT_TRANSLATE_NOOP("Core", "frames"), 2,
+                     1000, QT_TRANSLATE_NOOP("Core", "In how many frames a turntable goes around.")))
             .add(&Settings::size,
-                 ParameterSpec::integer("size", "Size", "px", 64, 2048, "Width and height of the frames."))
+                 ParameterSpec::integer("size", QT_TRANSLATE_NOOP("Core", "Size"),
+                                        QT_TRANSLATE_NOOP("Core", "px"), 64, 2048,
+                                        QT_TRANSLATE_NOOP("Core", "Width and height of the frames.")))
             .add(&Settings::seeds,
-                 ParameterSpec::integer("seeds", "Seeds", "", 1, 20,
-                                        "How many syntheses are averaged; their spread tells how sure the "
-                                        "figures are."))
+                 ParameterSpec::integer(
+                     "seeds", QT_TRANSLATE_NOOP("Core", "Seeds"), "", 1, 20,
+                     QT_TRANSLATE_NOOP("Core",
+                                       "How many syntheses are averaged; their spread tells how sure the "
+                                       "figures are.")))
             .add(&Settings::pixels,
-                 ParameterSpec::integer("pixels", "Pixels", "", 10, 10000,
-                                        "How many pixels are drawn by chance and measured in each frame."));
+                 ParameterSpec::integer(
+                     "pixels", QT_TRANSLATE_NOOP("Core", "Pixels"), "", 10, 10000,
+                     QT_TRANSLATE_NOOP("Core",
+                                       "How many pixels are drawn by chance and measured in each frame.")));
     return table;
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/document.h"
 #include "core/project/render_method.h"
+#include "widgets/core_text.h"
 #include "widgets/tool_button.h"
 
 #include <QtWidgets>
@@ -44,7 +45,7 @@ MethodSwitch::MethodSwitch(Document& document, QObject* parent)
     m_actions->setExclusionPolicy(QActionGroup::ExclusionPolicy::Exclusive);
     int number = 0;
     for (const project::RenderMethod& method : project::renderMethods()) {
-        auto* action = new QAction(QString::fromStdString(method.label), m_actions);
+        auto* action = new QAction(widgets::coreText(method.label), m_actions);
         const QString key = QString::number(++number);
         action->setObjectName("method-" + QString::fromStdString(method.key));
         action->setData(QString::fromStdString(method.key));

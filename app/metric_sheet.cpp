@@ -21,20 +21,17 @@ namespace {
 using project::MeasuredErrors;
 
 constexpr std::array kinds{
-    FrameChart{QT_TRANSLATE_NOOP("chiaro::app::ComparisonPane", "Similarity"),
-               QT_TRANSLATE_NOOP("chiaro::app::ComparisonPane",
-                                 "How little the texture resembles the strip, frame by frame"),
+    FrameChart{QT_TRANSLATE_NOOP("Core", "Similarity"),
+               QT_TRANSLATE_NOOP("Core", "How little the texture resembles the strip, frame by frame"),
                &MeasuredErrors::similarity},
-    FrameChart{QT_TRANSLATE_NOOP("chiaro::app::ComparisonPane", "Shading"),
-               QT_TRANSLATE_NOOP("chiaro::app::ComparisonPane",
-                                 "How far the texture's shade is from the light, frame by frame"),
+    FrameChart{QT_TRANSLATE_NOOP("Core", "Shading"),
+               QT_TRANSLATE_NOOP("Core", "How far the texture's shade is from the light, frame by frame"),
                &MeasuredErrors::shading},
-    FrameChart{QT_TRANSLATE_NOOP("chiaro::app::ComparisonPane", "Image space"),
-               QT_TRANSLATE_NOOP("chiaro::app::ComparisonPane",
-                                 "How much each pixel's texture changes from the frame before"),
+    FrameChart{QT_TRANSLATE_NOOP("Core", "Image space"),
+               QT_TRANSLATE_NOOP("Core", "How much each pixel's texture changes from the frame before"),
                &MeasuredErrors::temporalImage},
-    FrameChart{QT_TRANSLATE_NOOP("chiaro::app::ComparisonPane", "Object space"),
-               QT_TRANSLATE_NOOP("chiaro::app::ComparisonPane",
+    FrameChart{QT_TRANSLATE_NOOP("Core", "Object space"),
+               QT_TRANSLATE_NOOP("Core",
                                  "How much the texture of each place of the object changes from the frame "
                                  "before"),
                &MeasuredErrors::temporalObject}};
@@ -42,11 +39,11 @@ constexpr std::array kinds{
 std::string axisLabel(metrics::Distortion distortion) {
     switch (distortion) {
         case metrics::Distortion::Rotation:
-            return "rotation (degrees)";
+            return QT_TRANSLATE_NOOP("Core", "rotation (degrees)");
         case metrics::Distortion::Discontinuity:
-            return "block size n (px)";
+            return QT_TRANSLATE_NOOP("Core", "block size n (px)");
         default:
-            return "scale factor";
+            return QT_TRANSLATE_NOOP("Core", "scale factor");
     }
 }
 
@@ -98,9 +95,9 @@ std::vector<metrics::LineChart> frameCharts(const std::vector<project::MethodMea
     for (const FrameChart& kind : kinds) {
         metrics::LineChart& chart = charts.emplace_back();
         chart.title = kind.label;
-        chart.x.label = "frame";
+        chart.x.label = QT_TRANSLATE_NOOP("Core", "frame");
         chart.x.ticks = frameTicks(table);
-        chart.y.label = "error";
+        chart.y.label = QT_TRANSLATE_NOOP("Core", "error");
         chart.y.least = 0;
         for (const project::MethodMeasure& method : table) {
             metrics::Series& series = chart.series.emplace_back();
@@ -126,8 +123,10 @@ std::vector<metrics::LineChart> studyCharts(const std::vector<metrics::StudyPoin
         auto place = std::ranges::find(blocks, point.block) - blocks.begin();
         if (place == std::ptrdiff_t(blocks.size())) {
             blocks.push_back(point.block);
-            charts.push_back(
-                {fmt::format("s = {}", point.block), axisOf(distortion), {"similarity error", 0, {}}, {}});
+            charts.push_back({fmt::format("s = {}", point.block),
+                              axisOf(distortion),
+                              {QT_TRANSLATE_NOOP("Core", "similarity error"), 0, {}},
+                              {}});
         }
         seriesOf(charts[std::size_t(place)], point.texture)
             .points.push_back({point.strength, point.error.mean, point.error.standardError});

@@ -4,6 +4,14 @@
 
 namespace chiaro::app {
 
+namespace {
+
+struct ReplaceQuestion {
+    Q_DECLARE_TR_FUNCTIONS(chiaro::app::ReplaceQuestion)
+};
+
+}  // namespace
+
 bool mayReplace(QWidget& dialog, const std::vector<std::filesystem::path>& files, const QString& title) {
     constexpr int listed = 3;
     QStringList there;
@@ -11,13 +19,12 @@ bool mayReplace(QWidget& dialog, const std::vector<std::filesystem::path>& files
         if (QFileInfo::exists(QString::fromStdString(file.string())))
             there << QString::fromStdString(file.filename().string());
     if (there.isEmpty()) return true;
-    const auto tr = [](const char* text) {
-        return QCoreApplication::translate("chiaro::app::ReplaceQuestion", text);
-    };
-    QString question = tr("%1 are there already. Replace them?").arg(there.mid(0, listed).join(", "));
-    if (there.size() == 1) question = tr("%1 is there already. Replace it?").arg(there.front());
+    QString question =
+        ReplaceQuestion::tr("%1 are there already. Replace them?").arg(there.mid(0, listed).join(", "));
+    if (there.size() == 1)
+        question = ReplaceQuestion::tr("%1 is there already. Replace it?").arg(there.front());
     if (there.size() > listed)
-        question = tr("%1 and %2 more are there already. Replace them?")
+        question = ReplaceQuestion::tr("%1 and %2 more are there already. Replace them?")
                        .arg(there.mid(0, listed).join(", "))
                        .arg(there.size() - listed);
     return QMessageBox::question(&dialog, title.isEmpty() ? dialog.windowTitle() : title, question,

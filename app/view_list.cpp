@@ -8,10 +8,6 @@ namespace {
 
 constexpr int shownOverlaps = 4;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("ViewList", text);
-}
-
 QString percent(double share) {
     return QString("%1 %").arg(share * 100, 0, 'f', share < 0.1 ? 1 : 0);
 }
@@ -88,7 +84,8 @@ QString ViewList::overlaps(int view) const {
                      .arg(percent(others[std::size_t(i)].first))
                      .arg(others[std::size_t(i)].second);
     const int rest = int(others.size()) - shownOverlaps;
-    return tr("Shares ") + parts.join(", ") + (rest > 0 ? tr(", less with %1 more").arg(rest) : QString());
+    const QString list = parts.join(", ");
+    return rest > 0 ? tr("Shares %1, less with %2 more").arg(list).arg(rest) : tr("Shares %1").arg(list);
 }
 
 }  // namespace chiaro::app

@@ -3,6 +3,8 @@
 #include "app/view_plans.h"
 #include "core/project/project.h"
 
+#include <QCoreApplication>
+
 #include <memory>
 #include <set>
 #include <vector>
@@ -20,6 +22,8 @@ struct ListedView {
 /// The views of one object: those that the artist placed, as they are now, then those that the plan added.
 /// While the artist edits, the plan is the last one.
 class ViewList {
+    Q_DECLARE_TR_FUNCTIONS(chiaro::app::ViewList)
+
 public:
     /// `plan` may be null; `isCurrent` when it is made with these very views.
     void update(const std::vector<project::PlacedView>& placed, std::shared_ptr<const CoveredPlan> plan,

@@ -1,5 +1,6 @@
 #include "widgets/metric_axes.h"
 
+#include "widgets/core_text.h"
 #include "widgets/round_step.h"
 
 #include <QtCharts>
@@ -59,7 +60,7 @@ QAbstractAxis* horizontalAxis(const metrics::LineChart& chart) {
     } else {
         axis->setRange(least - (most - least) * room, most + (most - least) * room);
     }
-    axis->setTitleText(QString::fromStdString(chart.x.label));
+    axis->setTitleText(coreText(chart.x.label));
     return axis;
 }
 
@@ -74,7 +75,7 @@ QAbstractAxis* verticalAxis(const metrics::LineChart& chart, double atLeast) {
     axis->setTickInterval(step);
     axis->setRange(least, std::ceil((most - least) / step - 1e-9) * step + least);
     axis->setLabelFormat("%g");
-    axis->setTitleText(QString::fromStdString(chart.y.label));
+    axis->setTitleText(coreText(chart.y.label));
     return axis;
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/metric_graph.h"
 
+#include "widgets/core_text.h"
 #include "widgets/metric_axes.h"
 
 #include <QtCharts>
@@ -27,7 +28,7 @@ QString valueOf(const metrics::ChartPoint& point) {
 }
 
 QString lineOf(const metrics::Series& series, const metrics::ChartPoint& point) {
-    return QString("%1  %2").arg(QString::fromStdString(series.name), valueOf(point));
+    return QString("%1  %2").arg(coreText(series.name), valueOf(point));
 }
 
 }  // namespace
@@ -66,7 +67,7 @@ public:
         chart()->removeAllSeries();
         for (QAbstractAxis* axis : chart()->axes()) delete axis;
         m_curves.clear();
-        chart()->setTitle(QString::fromStdString(m_shown.title).toHtmlEscaped());
+        chart()->setTitle(coreText(m_shown.title).toHtmlEscaped());
         QAbstractAxis* x = horizontalAxis(m_shown);
         QAbstractAxis* y = verticalAxis(m_shown, m_most);
         chart()->addAxis(x, Qt::AlignBottom);
@@ -311,7 +312,7 @@ MetricGraph::MetricGraph(QWidget* parent) : QWidget(parent), m_view(new View(*th
 MetricGraph::~MetricGraph() = default;
 
 void MetricGraph::setChart(const metrics::LineChart& chart, const QString& kind, const QString& unit) {
-    setAccessibleName(QString::fromStdString(chart.title));
+    setAccessibleName(coreText(chart.title));
     m_view->show(chart, kind, unit);
 }
 

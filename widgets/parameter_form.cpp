@@ -1,5 +1,6 @@
 #include "widgets/parameter_form.h"
 
+#include "widgets/core_text.h"
 #include "widgets/tool_button.h"
 #include "widgets/wheel_guard.h"
 
@@ -24,7 +25,7 @@ int decimals(const ParameterSpec& spec) {
 }
 
 QString capitalised(const std::string& text) {
-    QString result = QString::fromStdString(text);
+    QString result = coreText(text);
     if (!result.isEmpty()) result[0] = result[0].toUpper();
     return result;
 }
@@ -59,13 +60,13 @@ void ParameterForm::setValues(std::span<const double> values) {
 
 void ParameterForm::addRow(QGridLayout& grid, int index) {
     const ParameterSpec& spec = m_specs[std::size_t(index)];
-    auto* label = new QLabel(QString::fromStdString(spec.label));
+    auto* label = new QLabel(coreText(spec.label));
     QWidget* editor = spec.kind == ParameterSpec::Kind::Boolean  ? makeSwitch(index)
                       : spec.kind == ParameterSpec::Kind::Choice ? makeChoice(index)
                                                                  : makeNumber(index);
     const double standard = m_defaults[std::size_t(index)];
     auto* reset = makeToolButton("reset", tr("Reset %1").arg(label->text()),
-                                 tr("Back to %1").arg(QString::fromStdString(spec.valueText(standard))));
+                                 tr("Back to %1").arg(valueText(spec, standard)));
     reset->setObjectName(QString::fromStdString(spec.key) + "-reset");
     QSizePolicy room = reset->sizePolicy();
     room.setRetainSizeWhenHidden(true);
@@ -91,13 +92,13 @@ QWidget* ParameterForm::makeNumber(int index) {
     layout->setSpacing(10);
     auto* field = new QDoubleSpinBox;
     field->setObjectName(QString::fromStdString(spec.key));
-    field->setAccessibleName(QString::fromStdString(spec.label));
+    field->setAccessibleName(coreText(spec.label));
     field->setDecimals(decimals(spec));
     field->setRange(spec.minimum, spec.maximum);
     field->setSingleStep(spec.step > 0 ? spec.step : 1);
     field->setKeyboardTracking(false);
     field->setFixedWidth(numberWidth);
-    if (!spec.unit.empty()) field->setSuffix(" " + QString::fromStdString(spec.unit));
+    if (!spec.unit.empty()) field->setSuffix(" " + coreText(spec.unit));
     WheelGuard::protect(field);
     connect(field, &QDoubleSpinBox::valueChanged, this, [this, index](double value) { edit(index, value); });
     connect(field, &QDoubleSpinBox::editingFinished, this, &ParameterForm::editFinished);
@@ -108,7 +109,7 @@ QWidget* ParameterForm::makeNumber(int index) {
     if (steps <= maximumSliderSteps) {
         slider = new QSlider(Qt::Horizontal);
         slider->setObjectName(QString::fromStdString(spec.key) + "-slider");
-        slider->setAccessibleName(QString::fromStdString(spec.label));
+        slider->setAccessibleName(coreText(spec.label));
         slider->setRange(0, int(std::lround(steps)));
         slider->setPageStep(std::max(1, slider->maximum() / 20));
         WheelGuard::protect(slider);
@@ -137,7 +138,7 @@ QWidget* ParameterForm::makeSwitch(int index) {
     const ParameterSpec& spec = m_specs[std::size_t(index)];
     auto* box = new QCheckBox;
     box->setObjectName(QString::fromStdString(spec.key));
-    box->setAccessibleName(QString::fromStdString(spec.label));
+    box->setAccessibleName(coreText(spec.label));
     connect(box, &QCheckBox::toggled, this, [this, index](bool on) {
         edit(index, on ? 1 : 0);
         Q_EMIT editFinished();
@@ -153,7 +154,7 @@ QWidget* ParameterForm::makeChoice(int index) {
     const ParameterSpec& spec = m_specs[std::size_t(index)];
     auto* list = new QComboBox;
     list->setObjectName(QString::fromStdString(spec.key));
-    list->setAccessibleName(QString::fromStdString(spec.label));
+    list->setAccessibleName(coreText(spec.label));
     for (const std::string& choice : spec.choices) list->addItem(capitalised(choice));
     WheelGuard::protect(list);
     connect(list, &QComboBox::currentIndexChanged, this, [this, index](int choice) {
@@ -182,8 +183,7 @@ void ParameterForm::showValue(int index, double value) {
 QString ParameterForm::tooltip(int index) const {
     const ParameterSpec& spec = m_specs[std::size_t(index)];
     return tr("%1\nRange %2, default %3")
-        .arg(QString::fromStdString(spec.tooltip), QString::fromStdString(spec.rangeText()),
-             QString::fromStdString(spec.valueText(m_defaults[std::size_t(index)])));
+        .arg(coreText(spec.tooltip), rangeText(spec), valueText(spec, m_defaults[std::size_t(index)]));
 }
 
 }  // namespace chiaro::widgets

@@ -2,6 +2,7 @@
 
 #include "app/method_comparison.h"
 #include "core/project/comparison_report.h"
+#include "widgets/core_text.h"
 #include "widgets/folding_row.h"
 #include "widgets/metric_legend.h"
 #include "widgets/metric_row.h"
@@ -42,8 +43,8 @@ QWidget* ComparisonPane::makeSwitches() {
     for (const FrameChart& kind : frameChartKinds()) {
         auto* button = new QToolButton;
         button->setObjectName(QString("chart-%1").arg(chart));
-        button->setText(tr(kind.label));
-        button->setToolTip(tr(kind.tooltip));
+        button->setText(widgets::coreText(kind.label));
+        button->setToolTip(widgets::coreText(kind.tooltip));
         button->setCheckable(true);
         button->setChecked(true);
         button->setAutoRaise(true);
@@ -76,7 +77,7 @@ void ComparisonPane::show() {
         for (const metrics::Series& series : m_row->shownCharts().empty()
                                                  ? std::vector<metrics::Series>{}
                                                  : m_row->shownCharts().front().series)
-            names << QString::fromStdString(series.name);
+            names << widgets::coreText(series.name);
     }
     m_legend->setNames(names);
 }

@@ -17,12 +17,16 @@ namespace {
 
 /// The numbers of a light that a form shows.
 std::vector<ParameterSpec> lightSpecs() {
-    return {ParameterSpec::choice("light-kind", "Kind", {"directional", "point"},
-                                  "Far away in a direction, or at a point in the scene"),
-            ParameterSpec::real("intensity", "Intensity", "", 0, 4, 0.05,
-                                "How much it gives; lights add up, and L ends at 1"),
-            ParameterSpec::boolean("wrap", "Wrap",
-                                   "Light goes around to the far side, (1 + n·l)/2; off: half is dark")};
+    return {
+        ParameterSpec::choice(
+            "light-kind", QT_TRANSLATE_NOOP("Core", "Kind"),
+            {QT_TRANSLATE_NOOP("Core", "directional"), QT_TRANSLATE_NOOP("Core", "point")},
+            QT_TRANSLATE_NOOP("Core", "Far away in a direction, or at a point in the scene")),
+        ParameterSpec::real("intensity", QT_TRANSLATE_NOOP("Core", "Intensity"), "", 0, 4, 0.05,
+                            QT_TRANSLATE_NOOP("Core", "How much it gives; lights add up, and L ends at 1")),
+        ParameterSpec::boolean(
+            "wrap", QT_TRANSLATE_NOOP("Core", "Wrap"),
+            QT_TRANSLATE_NOOP("Core", "Light goes around to the far side, (1 + n·l)/2; off: half is dark"))};
 }
 
 std::vector<double> valuesOf(const scene::Light& light) {

@@ -1,6 +1,7 @@
 #include "app/docks/study_pane.h"
 
 #include "app/distortion_study.h"
+#include "widgets/core_text.h"
 #include "widgets/folding_row.h"
 #include "widgets/metric_legend.h"
 #include "widgets/metric_row.h"
@@ -84,8 +85,7 @@ void StudyPane::show() {
     const auto charts = studyCharts(m_study.points(), distortion());
     QStringList names;
     if (!charts.empty())
-        for (const metrics::Series& series : charts.front().series)
-            names << QString::fromStdString(series.name);
+        for (const metrics::Series& series : charts.front().series) names << widgets::coreText(series.name);
     m_legend->setNames(names);
     const bool isTurned = distortion() == metrics::Distortion::Rotation;
     const bool isTorn = distortion() == metrics::Distortion::Discontinuity;

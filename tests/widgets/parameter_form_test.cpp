@@ -88,7 +88,7 @@ private Q_SLOTS:
     void tooltipsNameRangeAndDefault() {
         ParameterForm form = makeForm();
         const QString tooltip = form.findChild<QDoubleSpinBox*>("block")->parentWidget()->toolTip();
-        QVERIFY2(tooltip.contains("4..256 px") && tooltip.contains("default 32"), qPrintable(tooltip));
+        QVERIFY2(tooltip.contains("4 to 256 px") && tooltip.contains("default 32"), qPrintable(tooltip));
     }
 
     void theWheelLeavesFieldsWithoutFocusAlone() {
