@@ -15,6 +15,7 @@ MetricRow::MetricRow(QWidget* parent) : QScrollArea(parent) {
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(4);
     setFrameShape(NoFrame);
+    setFocusPolicy(Qt::NoFocus);  // its charts take the focus
     setWidgetResizable(true);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setWidget(content);

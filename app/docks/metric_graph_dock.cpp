@@ -126,6 +126,7 @@ QWidget* MetricGraphDock::makeTabs() {
     m_table->verticalHeader()->setDefaultSectionSize(26);
     m_tabs = new QTabWidget;
     m_tabs->setDocumentMode(true);
+    m_tabs->setAccessibleName(tr("Comparison"));
     m_tabs->addTab(m_frames, tr("Frames"));
     m_tabs->addTab(m_table, tr("Table"));
     m_tabs->addTab(m_distortions, tr("Distortions"));
