@@ -67,7 +67,7 @@ class DockPicturesTest : public QObject {
 private Q_SLOTS:
     void initTestCase() {
         test::prepareWindows(m_folder);
-        app::applyTheme(*qApp);
+        const app::ThemeSwitch theme(app::Theme::Dark);
         QFont font("DejaVu Sans");
         font.setPointSizeF(9);  // 12 px at the dots per inch that main() sets
         font.setHintingPreference(QFont::PreferNoHinting);
