@@ -9,6 +9,7 @@
 #include "core/base/memory_reserve.h"
 #include "core/base/resources.h"
 #include "widgets/viewport/gl_support.h"
+#include "widgets/viewport/viewport.h"
 
 #include <QApplication>
 #include <QLabel>
