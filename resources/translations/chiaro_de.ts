@@ -849,6 +849,18 @@ Der kleinste Wert der Zeile</translation>
             <source>Add Mesh</source>
             <translation>Netz hinzufügen</translation>
         </message>
+        <message>
+            <source>Apply Preset</source>
+            <translation>Vorlage anwenden</translation>
+        </message>
+        <message>
+            <source>Place Views</source>
+            <translation>Ansichten setzen</translation>
+        </message>
+        <message>
+            <source>Rename Sample</source>
+            <translation>Probe umbenennen</translation>
+        </message>
     </context>
     <context>
         <name>chiaro::app::EditMenu</name>
@@ -999,6 +1011,14 @@ Aus: Striche sind so viele Pixel breit wie im Streifen.</translation>
         <message>
             <source>&amp;Quit</source>
             <translation>&amp;Beenden</translation>
+        </message>
+        <message>
+            <source>&amp;Collect Files…</source>
+            <translation>Dateien &amp;sammeln …</translation>
+        </message>
+        <message>
+            <source>Copies the project with all its scans and meshes into one folder</source>
+            <translation>Kopiert das Projekt mit allen Scans und Netzen in einen Ordner</translation>
         </message>
     </context>
     <context>
@@ -1157,10 +1177,6 @@ Aus: Striche sind so viele Pixel breit wie im Streifen.</translation>
         <message>
             <source>View Planning</source>
             <translation>Ansichtsplanung</translation>
-        </message>
-        <message>
-            <source>Comparing Methods</source>
-            <translation>Verfahren vergleichen</translation>
         </message>
         <message>
             <source>Timeline</source>
@@ -1347,6 +1363,10 @@ Entf bricht ab</translation>
         <message>
             <source>%1[*] — Chiaro</source>
             <translation>%1[*] — Chiaro</translation>
+        </message>
+        <message>
+            <source>%1 (read-only)</source>
+            <translation>%1 (schreibgeschützt)</translation>
         </message>
     </context>
     <context>
@@ -1552,10 +1572,6 @@ Entf bricht ab</translation>
             <translation>Fehlende Dateien</translation>
         </message>
         <message>
-            <source>These files of the project are not where they were. Find one, and those beside it are found as well.</source>
-            <translation>Diese Dateien des Projekts sind nicht mehr, wo sie waren. Wird eine gefunden, so auch die daneben.</translation>
-        </message>
-        <message>
             <source>Missing files</source>
             <translation>Fehlende Dateien</translation>
         </message>
@@ -1598,6 +1614,38 @@ Entf bricht ab</translation>
         <message>
             <source>Find %1</source>
             <translation>%1 suchen</translation>
+        </message>
+        <message>
+            <source>These files of the project are not where they were. Find one, and those beside it are found as well; or search a folder for all of them.</source>
+            <translation>Diese Dateien des Projekts sind nicht mehr, wo sie waren. Wird eine gefunden, so auch die daneben; oder einen Ordner nach allen durchsuchen.</translation>
+        </message>
+        <message>
+            <source>Search Folder…</source>
+            <translation>Ordner durchsuchen …</translation>
+        </message>
+        <message>
+            <source>Looks for all of them in a folder and those below</source>
+            <translation>Sucht alle in einem Ordner und denen darunter</translation>
+        </message>
+        <message>
+            <source>All of them were found.</source>
+            <translation>Alle wurden gefunden.</translation>
+        </message>
+        <message>
+            <source>%1 of %2 were found.</source>
+            <translation>%1 von %2 wurden gefunden.</translation>
+        </message>
+        <message>
+            <source>None of them is there.</source>
+            <translation>Keine davon ist dort.</translation>
+        </message>
+        <message>
+            <source>Search Folder</source>
+            <translation>Ordner durchsuchen</translation>
+        </message>
+        <message>
+            <source>Looking in %1…</source>
+            <translation>%1 wird durchsucht …</translation>
         </message>
     </context>
     <context>
@@ -1663,6 +1711,10 @@ Entf bricht ab</translation>
         <message>
             <source>Opening %1</source>
             <translation>%1 wird geöffnet</translation>
+        </message>
+        <message>
+            <source>%1 was written by a newer Chiaro (format %2, this one writes %3) and is open read-only; Save As makes a copy without what only the newer one knows.</source>
+            <translation>%1 wurde von einem neueren Chiaro geschrieben (Format %2, dieses schreibt %3) und ist schreibgeschützt geöffnet; Speichern unter macht eine Kopie ohne das, was nur das neuere kennt.</translation>
         </message>
     </context>
     <context>
@@ -1731,6 +1783,96 @@ Entf bricht ab</translation>
         </message>
     </context>
     <context>
+        <name>chiaro::app::PresetMenu</name>
+        <message>
+            <source>Presets</source>
+            <translation>Vorlagen</translation>
+        </message>
+        <message>
+            <source>Presets: apply, save, rename, remove</source>
+            <translation>Vorlagen: anwenden, speichern, umbenennen, entfernen</translation>
+        </message>
+        <message>
+            <source>No presets yet</source>
+            <translation>Noch keine Vorlagen</translation>
+        </message>
+        <message>
+            <source>&amp;Save Preset…</source>
+            <translation>Vorlage &amp;speichern …</translation>
+        </message>
+        <message>
+            <source>&amp;Rename</source>
+            <translation>&amp;Umbenennen</translation>
+        </message>
+        <message>
+            <source>Re&amp;move</source>
+            <translation>Ent&amp;fernen</translation>
+        </message>
+        <message>
+            <source>&amp;Open Folder</source>
+            <translation>&amp;Ordner öffnen</translation>
+        </message>
+        <message>
+            <source>Presets are shared by copying the files that are there</source>
+            <translation>Vorlagen gibt man weiter, indem man die Dateien dort kopiert</translation>
+        </message>
+        <message>
+            <source>Save Preset</source>
+            <translation>Vorlage speichern</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>%1 is there already. Replace it?</source>
+            <translation>%1 gibt es schon. Ersetzen?</translation>
+        </message>
+        <message>
+            <source>Rename Preset</source>
+            <translation>Vorlage umbenennen</translation>
+        </message>
+        <message>
+            <source>Remove Preset</source>
+            <translation>Vorlage entfernen</translation>
+        </message>
+        <message>
+            <source>Remove the preset %1? Its file is deleted.</source>
+            <translation>Die Vorlage %1 entfernen? Ihre Datei wird gelöscht.</translation>
+        </message>
+        <message>
+            <source>%1: can't be shown; open it in a file manager</source>
+            <translation>%1: lässt sich nicht zeigen; bitte in einem Dateimanager öffnen</translation>
+        </message>
+    </context>
+    <context>
+        <name>chiaro::app::ProjectCollector</name>
+        <message>
+            <source>Collect Files: Choose a Folder</source>
+            <translation>Dateien sammeln: Ordner wählen</translation>
+        </message>
+        <message>
+            <source>Looking for the project's files</source>
+            <translation>Dateien des Projekts werden gesucht</translation>
+        </message>
+        <message>
+            <source>Collect Files</source>
+            <translation>Dateien sammeln</translation>
+        </message>
+        <message>
+            <source>Collecting files</source>
+            <translation>Dateien werden gesammelt</translation>
+        </message>
+        <message>
+            <source>Everything is at %1</source>
+            <translation>Alles liegt unter %1</translation>
+        </message>
+        <message>
+            <source>The project is at %1, without what is missing: %2</source>
+            <translation>Das Projekt liegt unter %1, ohne das Fehlende: %2</translation>
+        </message>
+    </context>
+    <context>
         <name>chiaro::app::ProjectFiles</name>
         <message>
             <source>Chiaro projects (*.chiaro)</source>
@@ -1771,6 +1913,14 @@ Entf bricht ab</translation>
         <message>
             <source>%1 has changes that are not saved.</source>
             <translation>%1 hat Änderungen, die nicht gespeichert sind.</translation>
+        </message>
+        <message>
+            <source>%1 copy</source>
+            <translation>%1 Kopie</translation>
+        </message>
+        <message>
+            <source>%1 is a copy in this Chiaro's format; what only the newer one knows is not in it.</source>
+            <translation>%1 ist eine Kopie im Format dieses Chiaro; was nur das neuere kennt, ist nicht darin.</translation>
         </message>
     </context>
     <context>
@@ -1908,6 +2058,10 @@ Entf bricht ab</translation>
         <message>
             <source>Put this sample on all objects</source>
             <translation>Diese Probe auf alle Objekte legen</translation>
+        </message>
+        <message>
+            <source>Double-click or F2 renames a sample; scans can be dropped here</source>
+            <translation>Doppelklick oder F2 benennt eine Probe um; Scans kann man hierher ziehen</translation>
         </message>
     </context>
     <context>
@@ -2622,9 +2776,11 @@ Entf bricht ab</translation>
         </message>
         <message>
             <source>Ctrl+click adds a stop, a drag moves it, a double click changes its colour, Delete removes it.
-Page Up and Page Down select a stop, Left and Right nudge it (Shift: more), Enter changes its colour, Insert adds one.</source>
+Page Up and Page Down select a stop, Left and Right nudge it (Shift: more), Enter changes its colour, Insert adds one.
+Ctrl+C and Ctrl+V copy and paste the stops as text, such as 0 #201040, 1 #fff0b0.</source>
             <translation>Strg+Klick fügt einen Stopp hinzu, Ziehen verschiebt ihn, ein Doppelklick ändert seine Farbe, Entf entfernt ihn.
-Bild auf und Bild ab wählen einen Stopp, Links und Rechts rücken ihn (Umschalt: weiter), die Eingabetaste ändert seine Farbe, Einfg fügt einen hinzu.</translation>
+Bild auf und Bild ab wählen einen Stopp, Links und Rechts rücken ihn (Umschalt: weiter), die Eingabetaste ändert seine Farbe, Einfg fügt einen hinzu.
+Strg+C und Strg+V kopieren die Stopps und fügen sie ein, als Text wie 0 #201040, 1 #fff0b0.</translation>
         </message>
     </context>
     <context>
@@ -2705,6 +2861,73 @@ Bild auf und Bild ab wählen einen Stopp, Links und Rechts rücken ihn (Umschalt
             <source>Colour of Stop %1</source>
             <translation>Farbe von Stopp %1</translation>
         </message>
+        <message>
+            <source>Copy colours</source>
+            <translation>Farben kopieren</translation>
+        </message>
+        <message>
+            <source>Copy the stops as text (Ctrl+C on the bar)</source>
+            <translation>Die Stopps als Text kopieren (Strg+C auf dem Balken)</translation>
+        </message>
+        <message>
+            <source>Paste colours</source>
+            <translation>Farben einfügen</translation>
+        </message>
+        <message>
+            <source>Show the stops that were copied, here or from any text such as 0 #201040, 1 #fff0b0 (Ctrl+V on the bar)</source>
+            <translation>Kopierte Stopps zeigen, von hier oder aus einem Text wie 0 #201040, 1 #fff0b0 (Strg+V auf dem Balken)</translation>
+        </message>
+        <message>
+            <source>Pick colour</source>
+            <translation>Farbe aufnehmen</translation>
+        </message>
+        <message>
+            <source>Take the selected stop's colour from the strip's pictures or anywhere on the screen: click or Enter picks, Escape doesn't</source>
+            <translation>Die Farbe des gewählten Stopps aus den Bildern des Streifens oder vom Bildschirm nehmen: Klick oder Eingabetaste nimmt auf, Esc nicht</translation>
+        </message>
+    </context>
+    <context>
+        <name>chiaro::widgets::ColorSpacePlot</name>
+        <message>
+            <source>Colours in RGB</source>
+            <translation>Farben in RGB</translation>
+        </message>
+        <message>
+            <source>The sample's colours in the RGB cube: dots are the strip's column averages, the line is its gradient.
+Drag or use the arrow keys to turn it; double-click or Home turns it back.</source>
+            <translation>Die Farben der Probe im RGB-Würfel: Punkte sind die Spaltenmittel des Streifens, die Linie ist sein Verlauf.
+Ziehen oder die Pfeiltasten drehen ihn; Doppelklick oder Pos1 dreht ihn zurück.</translation>
+        </message>
+        <message>
+            <source>R</source>
+            <translation>R</translation>
+        </message>
+        <message>
+            <source>G</source>
+            <translation>G</translation>
+        </message>
+        <message>
+            <source>B</source>
+            <translation>B</translation>
+        </message>
+        <message>
+            <source>No strip</source>
+            <translation>Kein Streifen</translation>
+        </message>
+        <message>
+            <source>· averages
+— gradient</source>
+            <translation>· Mittelwerte
+— Verlauf</translation>
+        </message>
+        <message>
+            <source>· averages
+— gradient
+▪ in use</source>
+            <translation>· Mittelwerte
+— Verlauf
+▪ verwendet</translation>
+        </message>
     </context>
     <context>
         <name>chiaro::widgets::CoreText</name>
@@ -2773,9 +2996,9 @@ Bild auf und Bild ab wählen einen Stopp, Links und Rechts rücken ihn (Umschalt
         </message>
         <message>
             <source>Drag the corners, edges or the whole to cut the strip out of the scan.
-Keys 1 to 4 select a corner, 0 the whole; arrow keys nudge it by a pixel, with Shift by ten.</source>
+Keys 1 to 4 select a corner, 5 to 8 an edge, 0 the whole; arrow keys nudge it by a pixel, with Shift by ten.</source>
             <translation>Ecken, Kanten oder das Ganze ziehen, um den Streifen aus dem Scan zu schneiden.
-Die Tasten 1 bis 4 wählen eine Ecke, 0 das Ganze; Pfeiltasten rücken um ein Pixel, mit Umschalt um zehn.</translation>
+Die Tasten 1 bis 4 wählen eine Ecke, 5 bis 8 eine Kante, 0 das Ganze; Pfeiltasten rücken um ein Pixel, mit Umschalt um zehn.</translation>
         </message>
     </context>
     <context>
