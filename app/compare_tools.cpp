@@ -5,6 +5,7 @@
 #include "core/project/render_method.h"
 #include "widgets/compare_bar.h"
 #include "widgets/compare_view.h"
+#include "widgets/core_text.h"
 #include "widgets/tool_button.h"
 #include "widgets/viewport/viewport.h"
 
@@ -48,7 +49,7 @@ std::vector<widgets::NamedMethod> namedMethods() {
     std::vector<widgets::NamedMethod> named;
     for (const project::RenderMethod& method : project::renderMethods())
         if (std::ranges::find(widgets::drawnMethods(), method.key) != widgets::drawnMethods().end())
-            named.push_back({method.key, QString::fromStdString(method.label)});
+            named.push_back({method.key, widgets::coreText(method.label)});
     return named;
 }
 
@@ -308,7 +309,7 @@ QString CompareTools::shownLabel() const {
     if (m_composition.shownCount() == 1) return {};
     QStringList labels;
     for (const std::string& key : m_composition.methods)
-        labels << QString::fromStdString(project::renderMethod(key).label);
+        labels << widgets::coreText(project::renderMethod(key).label);
     return labels.join(" / ");
 }
 

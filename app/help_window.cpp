@@ -24,6 +24,7 @@ constexpr std::array pages{
     Page{"parameters", QT_TRANSLATE_NOOP("chiaro::app::HelpWindow", "Parameters")},
     Page{"gradient", QT_TRANSLATE_NOOP("chiaro::app::HelpWindow", "Gradient Curve")},
     Page{"view-planning", QT_TRANSLATE_NOOP("chiaro::app::HelpWindow", "View Planning")},
+    Page{"compare", QT_TRANSLATE_NOOP("chiaro::app::HelpWindow", "Comparing Methods")},
     Page{"timeline", QT_TRANSLATE_NOOP("chiaro::app::HelpWindow", "Timeline")},
     Page{"metric-graph", QT_TRANSLATE_NOOP("chiaro::app::HelpWindow", "Metric Graph")},
     Page{"jobs", QT_TRANSLATE_NOOP("chiaro::app::HelpWindow", "Jobs")},

@@ -3,6 +3,7 @@
 #include "app/document.h"
 #include "app/preset_menu.h"
 #include "core/project/render_method.h"
+#include "widgets/core_text.h"
 #include "widgets/parameter_form.h"
 
 #include <QtWidgets>
@@ -155,7 +156,7 @@ void ParametersDock::addSection(const Heading& heading, Whole project::Project::
 
 void ParametersDock::applyChange(Change change) {
     using Kind = Change::Kind;
-    m_method->setText(QString::fromStdString(project::renderMethod(m_document.project().method).label));
+    m_method->setText(widgets::coreText(project::renderMethod(m_document.project().method).label));
     for (const Section& section : m_sections) {
         if (change.kind == Kind::Everything || change.kind == section.heading.kind) section.show();
         if (change.kind == Kind::Everything || change.kind == Kind::Method)

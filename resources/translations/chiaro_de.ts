@@ -697,6 +697,134 @@
         </message>
     </context>
     <context>
+        <name>chiaro::app::CameraMoves</name>
+        <message>
+            <source>&amp;Previous Camera</source>
+            <translation>&amp;Vorige Kamera</translation>
+        </message>
+        <message>
+            <source>Ne&amp;xt Camera</source>
+            <translation>Nä&amp;chste Kamera</translation>
+        </message>
+    </context>
+    <context>
+        <name>chiaro::app::CompareTools</name>
+        <message>
+            <source>Single</source>
+            <translation>Einzeln</translation>
+        </message>
+        <message>
+            <source>One method fills the viewport</source>
+            <translation>Ein Verfahren füllt die Ansicht</translation>
+        </message>
+        <message>
+            <source>Side by Side</source>
+            <translation>Nebeneinander</translation>
+        </message>
+        <message>
+            <source>Two or three methods beside each other</source>
+            <translation>Zwei oder drei Verfahren nebeneinander</translation>
+        </message>
+        <message>
+            <source>Wipe</source>
+            <translation>Trennlinie</translation>
+        </message>
+        <message>
+            <source>One method on each side of a line, which is dragged and turned</source>
+            <translation>Ein Verfahren auf jeder Seite einer Linie, die man zieht und dreht</translation>
+        </message>
+        <message>
+            <source>Blend</source>
+            <translation>Überblendung</translation>
+        </message>
+        <message>
+            <source>One method laid over the other</source>
+            <translation>Ein Verfahren über das andere gelegt</translation>
+        </message>
+        <message>
+            <source>Difference</source>
+            <translation>Differenz</translation>
+        </message>
+        <message>
+            <source>How far two methods are apart; black where they are equal</source>
+            <translation>Wie weit zwei Verfahren auseinander sind; schwarz, wo sie gleich sind</translation>
+        </message>
+        <message>
+            <source>%1 (%2)
+%3</source>
+            <translation>%1 (%2)
+%3</translation>
+        </message>
+        <message>
+            <source>Move the wipe, or lessen the blend or the gain</source>
+            <translation>Trennlinie verschieben, Überblendung oder Verstärkung verringern</translation>
+        </message>
+        <message>
+            <source>Move the wipe, or raise the blend or the gain</source>
+            <translation>Trennlinie verschieben, Überblendung oder Verstärkung erhöhen</translation>
+        </message>
+        <message>
+            <source>&amp;Less</source>
+            <translation>&amp;Weniger</translation>
+        </message>
+        <message>
+            <source>&amp;More</source>
+            <translation>&amp;Mehr</translation>
+        </message>
+        <message>
+            <source>Turn Wipe &amp;Left</source>
+            <translation>Linie nach &amp;links drehen</translation>
+        </message>
+        <message>
+            <source>Turn the wipe's line by 5° counter-clockwise</source>
+            <translation>Die Trennlinie um 5° gegen den Uhrzeigersinn drehen</translation>
+        </message>
+        <message>
+            <source>Turn Wipe &amp;Right</source>
+            <translation>Linie nach &amp;rechts drehen</translation>
+        </message>
+        <message>
+            <source>Turn the wipe's line by 5° clockwise</source>
+            <translation>Die Trennlinie um 5° im Uhrzeigersinn drehen</translation>
+        </message>
+        <message>
+            <source>S&amp;wap Methods</source>
+            <translation>Verfahren &amp;tauschen</translation>
+        </message>
+        <message>
+            <source>Let the first and the second method change places</source>
+            <translation>Das erste und das zweite Verfahren tauschen die Plätze</translation>
+        </message>
+        <message>
+            <source>&amp;Compare</source>
+            <translation>&amp;Vergleichen</translation>
+        </message>
+        <message>
+            <source>&amp;First Method</source>
+            <translation>&amp;Erstes Verfahren</translation>
+        </message>
+        <message>
+            <source>Se&amp;cond Method</source>
+            <translation>&amp;Zweites Verfahren</translation>
+        </message>
+        <message>
+            <source>&amp;Third Method</source>
+            <translation>&amp;Drittes Verfahren</translation>
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>Vergleich</translation>
+        </message>
+        <message>
+            <source>Compare: %1</source>
+            <translation>Vergleich: %1</translation>
+        </message>
+        <message>
+            <source>%1 ms</source>
+            <translation>%1 ms</translation>
+        </message>
+    </context>
+    <context>
         <name>chiaro::app::ComparisonPane</name>
         <message>
             <source>Measure to see how every method does, frame by frame.</source>
@@ -971,6 +1099,13 @@ Aus: Striche sind so viele Pixel breit wie im Streifen.</translation>
         </message>
     </context>
     <context>
+        <name>chiaro::app::FaceGroups</name>
+        <message>
+            <source>Colouring face groups</source>
+            <translation>Flächengruppen werden gefärbt</translation>
+        </message>
+    </context>
+    <context>
         <name>chiaro::app::FileMenu</name>
         <message>
             <source>&amp;File</source>
@@ -1117,8 +1252,12 @@ Aus: Striche sind so viele Pixel breit wie im Streifen.</translation>
             <translation>Ähnlichkeit %1</translation>
         </message>
         <message>
-            <source>%1 · shading %2</source>
-            <translation>%1 · Schattierung %2</translation>
+            <source>…</source>
+            <translation>…</translation>
+        </message>
+        <message>
+            <source>shading %1</source>
+            <translation>Schattierung %1</translation>
         </message>
     </context>
     <context>
@@ -2678,6 +2817,14 @@ Entf bricht ab</translation>
             <source>Show in the viewport which faces the first pass leaves, through what hides them</source>
             <translation>In der Ansicht zeigen, welche Flächen der erste Durchgang auslässt, durch alles hindurch</translation>
         </message>
+        <message>
+            <source>Face &amp;Groups</source>
+            <translation>Flächen&amp;gruppen</translation>
+        </message>
+        <message>
+            <source>Show in the viewport which view each face belongs to, by its colour</source>
+            <translation>In der Ansicht durch Farben zeigen, zu welcher Ansicht jede Fläche gehört</translation>
+        </message>
     </context>
     <context>
         <name>chiaro::app::ViewPlanningDock</name>
@@ -2930,6 +3077,92 @@ Ziehen oder die Pfeiltasten drehen ihn; Doppelklick oder Pos1 dreht ihn zurück.
         </message>
     </context>
     <context>
+        <name>chiaro::widgets::CompareBar</name>
+        <message>
+            <source> panes</source>
+            <translation> Bilder</translation>
+        </message>
+        <message>
+            <source>Panes side by side</source>
+            <translation>Bilder nebeneinander</translation>
+        </message>
+        <message>
+            <source>How many methods are shown side by side</source>
+            <translation>Wie viele Verfahren nebeneinander gezeigt werden</translation>
+        </message>
+        <message>
+            <source>Wipe position</source>
+            <translation>Ort der Trennlinie</translation>
+        </message>
+        <message>
+            <source>How much of the picture the first method fills, in % ([ and ])</source>
+            <translation>Wie viel des Bildes das erste Verfahren füllt, in % ([ und ])</translation>
+        </message>
+        <message>
+            <source> %</source>
+            <translation> %</translation>
+        </message>
+        <message>
+            <source>Wipe angle</source>
+            <translation>Winkel der Trennlinie</translation>
+        </message>
+        <message>
+            <source>How far the line is turned, clockwise in degrees (Alt+[ and Alt+])</source>
+            <translation>Wie weit die Linie gedreht ist, im Uhrzeigersinn in Grad (Alt+[ und Alt+])</translation>
+        </message>
+        <message>
+            <source>°</source>
+            <translation>°</translation>
+        </message>
+        <message>
+            <source>Share of the second method, %</source>
+            <translation>Anteil des zweiten Verfahrens, %</translation>
+        </message>
+        <message>
+            <source>How much of the second method is laid over the first, in % ([ and ])</source>
+            <translation>Wie viel des zweiten Verfahrens über dem ersten liegt, in % ([ und ])</translation>
+        </message>
+        <message>
+            <source>Share of the second method</source>
+            <translation>Anteil des zweiten Verfahrens</translation>
+        </message>
+        <message>
+            <source>Gain of the difference</source>
+            <translation>Verstärkung der Differenz</translation>
+        </message>
+        <message>
+            <source>What the difference of the two pictures is multiplied with, so that little shows as well ([ and ])</source>
+            <translation>Womit die Differenz der beiden Bilder multipliziert wird, damit man auch Kleines sieht ([ und ])</translation>
+        </message>
+        <message>
+            <source>× </source>
+            <translation>× </translation>
+        </message>
+    </context>
+    <context>
+        <name>chiaro::widgets::CompareView</name>
+        <message>
+            <source>Wipe line</source>
+            <translation>Trennlinie</translation>
+        </message>
+        <message>
+            <source>First picture</source>
+            <translation>Erstes Bild</translation>
+        </message>
+        <message>
+            <source>Second picture</source>
+            <translation>Zweites Bild</translation>
+        </message>
+        <message>
+            <source>Third picture</source>
+            <translation>Drittes Bild</translation>
+        </message>
+        <message>
+            <source>At %1 % of the width and %2 % of the height, turned by %3°</source>
+            <translation>Bei %1 % der Breite und %2 % der Höhe, um %3° gedreht</translation>
+        </message>
+    </context>
+    <context>
         <name>chiaro::widgets::CoreText</name>
         <message>
             <source>on or off</source>
@@ -3089,6 +3322,21 @@ Die Tasten 1 bis 4 wählen eine Ecke, 5 bis 8 eine Kante, 0 das Ganze; Pfeiltast
         </message>
     </context>
     <context>
+        <name>chiaro::widgets::PaneLabel</name>
+        <message>
+            <source>Which method this is; choose another</source>
+            <translation>Welches Verfahren dies ist; ein anderes wählen</translation>
+        </message>
+        <message>
+            <source>What this picture's frame took, in milliseconds, and its errors: how little it resembles its strips, and how far its shades are from the light, each from 0 to 1</source>
+            <translation>Wie lange dieses Bild brauchte, in Millisekunden, und seine Fehler: wie wenig es seinen Streifen ähnelt und wie weit seine Töne vom Licht abweichen, je 0 bis 1</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
         <name>chiaro::widgets::ParameterForm</name>
         <message>
             <source>Reset %1</source>
@@ -3103,6 +3351,17 @@ Die Tasten 1 bis 4 wählen eine Ecke, 5 bis 8 eine Kante, 0 das Ganze; Pfeiltast
 Range %2, default %3</source>
             <translation>%1
 Bereich %2, Standard %3</translation>
+        </message>
+    </context>
+    <context>
+        <name>chiaro::widgets::PictureView</name>
+        <message>
+            <source>Shadows: these are the CPU renderer's pictures.</source>
+            <translation>Schatten: Diese Bilder zeichnet die CPU.</translation>
+        </message>
+        <message>
+            <source>No OpenGL here: these are the CPU renderer's pictures.</source>
+            <translation>Kein OpenGL: Diese Bilder zeichnet die CPU.</translation>
         </message>
     </context>
     <context>
@@ -3295,14 +3554,6 @@ Darunter: die Spaltenmittel des Streifens und der Verlauf, der ihnen folgen soll
     </context>
     <context>
         <name>chiaro::widgets::Viewport</name>
-        <message>
-            <source>Shadows: these are the CPU renderer's pictures.</source>
-            <translation>Schatten: Diese Bilder zeichnet die CPU.</translation>
-        </message>
-        <message>
-            <source>No OpenGL here: these are the CPU renderer's pictures.</source>
-            <translation>Kein OpenGL: Diese Bilder zeichnet die CPU.</translation>
-        </message>
         <message>
             <source>Viewport</source>
             <translation>3D-Ansicht</translation>
