@@ -2,41 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
     <context>
-        <name>ColorPreset</name>
-        <message>
-            <source>Ivory black</source>
-            <translation>Elfenbeinschwarz</translation>
-        </message>
-        <message>
-            <source>Sepia</source>
-            <translation>Sepia</translation>
-        </message>
-        <message>
-            <source>Sanguine</source>
-            <translation>Rötel</translation>
-        </message>
-        <message>
-            <source>Cyanotype</source>
-            <translation>Cyanotypie</translation>
-        </message>
-        <message>
-            <source>Indigo and gold</source>
-            <translation>Indigo und Gold</translation>
-        </message>
-        <message>
-            <source>Verdigris</source>
-            <translation>Grünspan</translation>
-        </message>
-        <message>
-            <source>Ultramarine and flesh</source>
-            <translation>Ultramarin und Inkarnat</translation>
-        </message>
-        <message>
-            <source>Night garden</source>
-            <translation>Nachtgarten</translation>
-        </message>
-    </context>
-    <context>
         <name>Core</name>
         <message>
             <source>Similarity</source>
@@ -1097,6 +1062,18 @@ Aus: Striche sind so viele Pixel breit wie im Streifen.</translation>
             <source> · its texture has so many parts that they lie %1 px apart</source>
             <translation> · seine Textur hat so viele Teile, dass sie nur %1 px Abstand haben</translation>
         </message>
+        <message>
+            <source>Export Relightable Page</source>
+            <translation>Beleuchtbare Seite exportieren</translation>
+        </message>
+        <message>
+            <source>Web pages (*.html)</source>
+            <translation>Webseiten (*.html)</translation>
+        </message>
+        <message>
+            <source>The page is at %1 · open it in any browser</source>
+            <translation>Die Seite liegt unter %1 · in jedem Browser zu öffnen</translation>
+        </message>
     </context>
     <context>
         <name>chiaro::app::FaceGroups</name>
@@ -1154,6 +1131,10 @@ Aus: Striche sind so viele Pixel breit wie im Streifen.</translation>
         <message>
             <source>Copies the project with all its scans and meshes into one folder</source>
             <translation>Kopiert das Projekt mit allen Scans und Netzen in einen Ordner</translation>
+        </message>
+        <message>
+            <source>Export &amp;Relightable Page…</source>
+            <translation>Be&amp;leuchtbare Seite exportieren …</translation>
         </message>
     </context>
     <context>
@@ -1344,6 +1325,10 @@ Aus: Striche sind so viele Pixel breit wie im Streifen.</translation>
         <message>
             <source>Page</source>
             <translation>Seite</translation>
+        </message>
+        <message>
+            <source>Comparing Methods</source>
+            <translation>Verfahren vergleichen</translation>
         </message>
     </context>
     <context>
