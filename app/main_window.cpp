@@ -65,6 +65,7 @@ MainWindow::MainWindow()
     makeCentralView();
     makeDocks();
     makeBottomDocks();
+    placeDocks();
     makeToolBar();
     makeStatusBar();
     m_files = new ProjectFiles(m_document, m_opener, *this);
@@ -76,7 +77,6 @@ MainWindow::MainWindow()
     makeMenus();
     connectParts();
     resize(1400, 900);
-    m_standardState = saveState(layoutVersion);
     showTitle();
 }
 
@@ -109,16 +109,10 @@ void MainWindow::makeDocks() {
     m_parametersDock = new ParametersDock(m_document);
     m_sceneDock = new SceneDock(m_document, m_meshes);
     m_gradientDock->setSample(m_sampleDock->currentSample());
-    addDockWidget(Qt::LeftDockWidgetArea, m_sampleDock);
-    addDockWidget(Qt::LeftDockWidgetArea, m_sceneDock);
-    tabifyDockWidget(m_sampleDock, m_sceneDock);
-    m_sampleDock->raise();
-    addDockWidget(Qt::RightDockWidgetArea, m_gradientDock);
     m_viewsDock = new ViewPlanningDock(m_document, m_jobs, m_memo, m_meshes, m_viewPlans);
-    addDockWidget(Qt::LeftDockWidgetArea, m_parametersDock);
-    addDockWidget(Qt::RightDockWidgetArea, m_viewsDock);
-    tabifyDockWidget(m_gradientDock, m_viewsDock);
-    m_gradientDock->raise();
+    m_dockPlaces.push_back({Qt::LeftDockWidgetArea, {m_sampleDock, m_sceneDock}});
+    m_dockPlaces.push_back({Qt::LeftDockWidgetArea, {m_parametersDock}});
+    m_dockPlaces.push_back({Qt::RightDockWidgetArea, {m_gradientDock, m_viewsDock}});
     connect(m_viewport, &widgets::Viewport::viewChanged, m_viewsDock,
             [this] { m_viewsDock->setCamera(m_viewport->camera()); });
     m_viewOverlays = new ViewOverlays(*m_viewsDock, m_jobs, m_viewPlans, m_meshes, *m_viewport, m_viewport);
@@ -145,14 +139,8 @@ void MainWindow::makeBottomDocks() {
     m_timelineDock = new TimelineDock(m_document, m_playback);
     m_jobsDock = new JobsDock(m_jobs);
     auto* history = new HistoryDock(m_document.undoStack());
-    addDockWidget(Qt::BottomDockWidgetArea, m_timelineDock);
-    addDockWidget(Qt::BottomDockWidgetArea, m_jobsDock);
-    addDockWidget(Qt::BottomDockWidgetArea, history);
-    addDockWidget(Qt::BottomDockWidgetArea, &m_metrics->dock());
-    tabifyDockWidget(m_timelineDock, &m_metrics->dock());
-    tabifyDockWidget(&m_metrics->dock(), m_jobsDock);
-    tabifyDockWidget(m_jobsDock, history);
-    m_timelineDock->raise();
+    m_dockPlaces.push_back(
+        {Qt::BottomDockWidgetArea, {m_timelineDock, &m_metrics->dock(), m_jobsDock, history}});
     // Curves want more room than keys do: the first look at them makes it.
     auto* firstLook = new QObject(this);
     connect(&m_metrics->dock(), &QDockWidget::visibilityChanged, firstLook, [this, firstLook](bool isSeen) {
@@ -164,6 +152,24 @@ void MainWindow::makeBottomDocks() {
         QDockWidget* dock = &m_metrics->dock();
         resizeDocks({dock}, {std::max(dock->height(), height() * 2 / 5)}, Qt::Vertical);
     });
+}
+
+void MainWindow::placeDocks() {
+    for (const DockPlace& place : m_dockPlaces)
+        for (QDockWidget* dock : place.tabs) {
+            dock->setFloating(false);
+            removeDockWidget(dock);
+        }
+    for (const DockPlace& place : m_dockPlaces) {
+        QDockWidget* before = nullptr;
+        for (QDockWidget* dock : place.tabs) {
+            addDockWidget(place.area, dock);
+            if (before) tabifyDockWidget(before, dock);
+            dock->show();
+            before = dock;
+        }
+        place.tabs.front()->raise();
+    }
 }
 
 void MainWindow::arrangeDocks() {
@@ -199,7 +205,7 @@ void MainWindow::makeMenus() {
     m_viewMenu = new ViewMenu(*m_viewport, *m_compare, *new CameraMoves(m_document, *m_viewport, this),
                               *m_viewOverlays, *m_metrics, *this);
     connect(m_viewMenu, &ViewMenu::resetLayoutWanted, this, [this] {
-        restoreState(m_standardState, layoutVersion);
+        placeDocks();
         arrangeDocks();
     });
     auto* sample = new SampleMenu(m_document, *m_sampleDock, *this);

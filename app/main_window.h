@@ -13,6 +13,8 @@
 
 #include <QMainWindow>
 
+#include <vector>
+
 class QLabel;
 
 namespace chiaro::widgets {
@@ -96,6 +98,14 @@ private:
     void makeDocks();
     void makeMetrics();
     void makeBottomDocks();
+    /// Docks that lie over each other as tabs, the first of them seen.
+    struct DockPlace {
+        Qt::DockWidgetArea area;
+        std::vector<QDockWidget*> tabs;
+    };
+    /// Docks go where they are at first, whatever became of them. A saved state of the window would do, but
+    /// Qt 6.4 crashes on restoring one into a shown window, once in some thousand events.
+    void placeDocks();
     void arrangeDocks();
     void makeToolBar();
     void makeStatusBar();
@@ -135,7 +145,7 @@ private:
     Safekeeping* m_safekeeping = nullptr;
     QLabel* m_frameTime = nullptr;
     ViewMenu* m_viewMenu = nullptr;
-    QByteArray m_standardState;
+    std::vector<DockPlace> m_dockPlaces;
     bool m_isArranged = false;
 };
 
