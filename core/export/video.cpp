@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/module.h"
 #include "core/export/video/encoder.h"
+#include "core/export/video_container.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -94,6 +95,9 @@ void VideoWriter::finish() {
     if (found != m_impl->frames)
         throw Error(m_impl->path.string(),
                     fmt::format("holds {} of {} frames after writing", found, m_impl->frames),
+                    "see whether the disk is full, or choose another format");
+    if (!isWholeContainer(m_impl->file.temporaryPath()))
+        throw Error(m_impl->path.string(), "was cut off while it was written",
                     "see whether the disk is full, or choose another format");
     m_impl->file.commit();
 }

@@ -159,7 +159,8 @@ TEST_P(FullDisk, HoldsAWholeFileOrTheOldOne) {
             SCOPED_TRACE(fmt::format("{} of {}, {} of {} bytes left, said: {}", kind.name, side, share,
                                      bytesOf(whole), sentence));
             if (sentence.empty()) {
-                EXPECT_TRUE(areSame(filesOnDisk(), whole)) << "not whole";
+                EXPECT_TRUE(areSame(filesOnDisk(), whole))
+                    << "not whole, but " << bytesOf(filesOnDisk()) << " bytes";
                 ++written;
             } else {
                 EXPECT_NE(sentence.find(kind.name[0]), std::string::npos);

@@ -74,14 +74,7 @@ void Results::add(const fs::path& file) {
         m_failures.push_back(fmt::format("bench_{} ended before it had told anything.", program));
         return;
     }
-    const nlohmann::json& context = json.at("context");
-    m_machine.processors = context.value("num_cpus", 0);
-    const std::string date = context.value("date", "");
-    if (const auto load = context.value("load_avg", std::vector<double>{});
-        !load.empty() && (m_machine.date.empty() || date < m_machine.date))
-        m_machine.load = load[0];
-    if (m_machine.date.empty() || date < m_machine.date) m_machine.date = date;
-    if (context.contains("renderer")) m_machine.renderer = context["renderer"];
+    addMachine(json.value("context", nlohmann::json::object()));
     std::vector<Run>& runs = m_programs[program];
     for (const nlohmann::json& entry : json["benchmarks"]) {
         if (entry.value("error_occurred", false))
@@ -91,6 +84,16 @@ void Results::add(const fs::path& file) {
         else if (entry.value("run_type", "iteration") == "iteration")
             runs.push_back(runOf(entry));
     }
+}
+
+void Results::addMachine(const nlohmann::json& context) {
+    m_machine.processors = std::max(m_machine.processors, context.value("num_cpus", 0));
+    if (context.contains("renderer")) m_machine.renderer = context["renderer"];
+    const std::string date = context.value("date", "");
+    if (date.empty() || (!m_machine.date.empty() && m_machine.date <= date)) return;
+    m_machine.date = date;
+    if (const auto load = context.value("load_avg", std::vector<double>{}); !load.empty())
+        m_machine.load = load[0];
 }
 
 std::string Results::named(const std::string& benchmark) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -48,6 +50,8 @@ public:
 
 private:
     void add(const std::filesystem::path& file);
+    /// The machine as a program's results tell it; the first of the day tells the load.
+    void addMachine(const nlohmann::json& context);
 
     std::string m_instructionSet;
     std::map<std::string, std::vector<Run>> m_programs;

@@ -1,6 +1,8 @@
 #include "core/export/video.h"
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/export/video_container.h"
 #include "tests/support/support.h"
 
 #include <opencv2/videoio.hpp>
@@ -37,6 +39,23 @@ TEST_P(Formats, HoldTheFramesTheyWereGiven) {
     }
     EXPECT_FALSE(capture.read(pixels));
     EXPECT_EQ(test::filesIn(folder.path()).size(), 1u);
+}
+
+TEST_P(Formats, AreKnownToBeCutOff) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path = folder / (std::string("a") + GetParam());
+    VideoWriter video(path, 64, 64, 24);
+    for (int i = 0; i < 6; ++i) video.add(frame(64, 64, i));
+    video.finish();
+    EXPECT_TRUE(isWholeContainer(path));
+    const std::string whole = readFile(path, 1 << 24);
+    for (const std::size_t missing : {std::size_t(1), std::size_t(7), whole.size() / 2, whole.size() - 5}) {
+        writeFileAtomically(path, std::string_view(whole).substr(0, whole.size() - missing));
+        EXPECT_FALSE(isWholeContainer(path)) << missing;
+    }
+    writeFileAtomically(path, whole + "x");
+    EXPECT_FALSE(isWholeContainer(path));
+    EXPECT_FALSE(isWholeContainer(folder / "none.mp4"));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Formats, testing::Values(".mp4", ".webm", ".mkv"));
