@@ -1,7 +1,6 @@
 #include "app/animation_dialog.h"
 
 #include "app/replace_question.h"
-#include "core/export/frame_sequence.h"
 #include "core/export/video.h"
 
 #include <QtWidgets>
@@ -33,6 +32,17 @@ AnimationDialog::AnimationDialog(const project::Animation& animation, const Anim
     m_height = sizeField("height", suggestion.height, tr("Height"));
     m_transparent = new QCheckBox(tr("Transparent background"));
     m_transparent->setChecked(suggestion.transparent);
+    m_withValues = new QCheckBox(tr("Also light, ids, depth, normals, motion and texture"));
+    m_withValues->setObjectName("values");
+    m_withValues->setToolTip(
+        tr("As OpenEXR pictures, ids as PNG, in a folder beside the frames, for compositing"));
+    m_withValues->setChecked(suggestion.withValues);
+    m_resume = new QCheckBox(tr("Keep frames that are finished"));
+    m_resume->setObjectName("resume");
+    m_resume->setToolTip(
+        tr("Goes on after an interruption: frames that are there already, whole and of just these settings,\n"
+           "are not made again. All others are replaced."));
+    m_resume->setChecked(suggestion.resume);
     m_path = new QLineEdit(QString::fromStdString(suggestion.output.string()));
     m_path->setObjectName("output");
     m_path->setMinimumWidth(340);
@@ -59,6 +69,8 @@ AnimationDialog::AnimationDialog(const project::Animation& animation, const Anim
     form->addRow(tr("Files"), file);
     form->addRow(QString(), m_problem);
     form->addRow(QString(), m_transparent);
+    form->addRow(QString(), m_withValues);
+    form->addRow(QString(), m_resume);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_render = buttons->addButton(tr("Render"), QDialogButtonBox::AcceptRole);
     auto* layout = new QVBoxLayout(this);
@@ -78,19 +90,13 @@ AnimationSettings AnimationDialog::settings() const {
     settings.width = m_width->value();
     settings.height = m_height->value();
     settings.transparent = m_transparent->isChecked() && m_transparent->isEnabled();
+    settings.withValues = m_withValues->isChecked() && m_withValues->isEnabled();
+    settings.resume = m_resume->isChecked() && m_resume->isEnabled();
     return settings;
 }
 
 void AnimationDialog::accept() {
-    const std::filesystem::path output = settings().output;
-    std::vector<std::filesystem::path> files{output};
-    if (!exporting::isWritableVideo(output)) {
-        files.clear();
-        const exporting::FrameSequence sequence(output);
-        for (int frame = m_animation.firstFrame; frame <= m_animation.lastFrame; ++frame)
-            files.push_back(sequence.path(frame));
-    }
-    if (mayReplace(*this, files)) QDialog::accept();
+    if (settings().resume || mayReplace(*this, outputOf(m_animation, settings()).files())) QDialog::accept();
 }
 
 void AnimationDialog::browse() {
@@ -109,14 +115,15 @@ void AnimationDialog::showOutput() {
     const std::filesystem::path output = m_path->text().toStdString();
     QString problem;
     try {
-        checkAnimationOutput(output);
+        project::checkAnimationPath(output);
     } catch (const std::exception& error) {
         problem = QString::fromStdString(error.what());
     }
     m_problem->setText(problem);
     m_problem->setVisible(!problem.isEmpty());
     m_render->setEnabled(problem.isEmpty());
-    m_transparent->setEnabled(!exporting::isWritableVideo(output));
+    for (QCheckBox* ofPictures : {m_transparent, m_withValues, m_resume})
+        ofPictures->setEnabled(!exporting::isWritableVideo(output));
 }
 
 }  // namespace chiaro::app

@@ -33,6 +33,8 @@ private:
     QSpinBox* m_width = nullptr;
     QSpinBox* m_height = nullptr;
     QCheckBox* m_transparent = nullptr;
+    QCheckBox* m_withValues = nullptr;
+    QCheckBox* m_resume = nullptr;
     QLineEdit* m_path = nullptr;
     QLabel* m_problem = nullptr;
     QPushButton* m_render = nullptr;

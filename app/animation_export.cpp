@@ -1,10 +1,10 @@
 #include "app/animation_export.h"
 
+#include "core/base/color.h"
 #include "core/base/error.h"
-#include "core/base/image_io.h"
-#include "core/export/frame_sequence.h"
-#include "core/export/video.h"
-#include "core/project/animation.h"
+#include "core/project/picture_parameters.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -21,47 +21,43 @@ std::vector<project::Paint> paintsOf(const project::Project& project, const Task
     return paints;
 }
 
-void writeVideo(const project::Shot& shot, const AnimationSettings& settings, const Task& task) {
-    const project::Animation& animation = shot.project.animation;
-    exporting::VideoWriter video(settings.output, shot.width, shot.height, animation.rate);
-    project::ShotViews views(shot);
-    const auto painter = project::framePainter(shot, views);
-    const double count = animation.lastFrame - animation.firstFrame + 1;
-    for (int frame = animation.firstFrame; frame <= animation.lastFrame; ++frame) {
-        const double done = (frame - animation.firstFrame) / count;
-        const methods::Frame painted = painter->paint(frame, task.part(done, done + 1 / count)).frame;
-        video.add(methods::over(painted.picture, settings.background));
-    }
-    video.finish();
-}
-
-void writePictures(const project::Shot& shot, const AnimationSettings& settings, const Task& task) {
-    const project::Animation& animation = shot.project.animation;
-    const exporting::FrameSequence sequence(settings.output);
-    const ImageMetadata metadata{{"Software", "Chiaro " CHIARO_VERSION}};
-    project::ShotViews views(shot);
-    const auto painter = project::framePainter(shot, views);
-    const double count = animation.lastFrame - animation.firstFrame + 1;
-    for (int frame = animation.firstFrame; frame <= animation.lastFrame; ++frame) {
-        const double done = (frame - animation.firstFrame) / count;
-        const methods::Frame painted = painter->paint(frame, task.part(done, done + 1 / count)).frame;
-        task.checkpoint();
-        if (settings.transparent)
-            writeImage(sequence.path(frame), painted.picture, metadata, PixelDepth::Bits8);
-        else
-            writeImage(sequence.path(frame), methods::over(painted.picture, settings.background), metadata,
-                       PixelDepth::Bits8);
-    }
+/// What every frame tells of how it was made.
+std::function<ImageMetadata(int)> metadataOf(const project::Shot& shot, const AnimationSettings& settings) {
+    nlohmann::json json = project::paintParameters(shot.project);
+    json.update(parametersToJson(shot.project.coherence));
+    json.update(project::sceneParameters(shot.project));
+    json["size"] = {settings.width, settings.height};
+    json["background"] = settings.transparent ? "transparent" : hexFromColor(settings.background);
+    json["path"] = "project";
+    json["content"] = project::contentHash(shot);
+    return [json](int frame) {
+        nlohmann::json ofFrame = json;
+        ofFrame["frame"] = frame;
+        return ImageMetadata{{"Software", "Chiaro " CHIARO_VERSION},
+                             {"chiaro:command", "animate"},
+                             {"chiaro:parameters", ofFrame.dump()}};
+    };
 }
 
 }  // namespace
 
-void checkAnimationOutput(const std::filesystem::path& output) {
-    if (!exporting::isWritableVideo(output)) exporting::FrameSequence sequence(output);
+project::AnimationOutput outputOf(const project::Animation& animation, const AnimationSettings& settings) {
+    project::AnimationOutput output;
+    output.path = settings.output;
+    output.range = {animation.firstFrame, animation.lastFrame};
+    output.rate = animation.rate;
+    if (output.isVideo() || !settings.transparent) output.background = settings.background;
+    if (output.isVideo()) return output;
+    output.resume = settings.resume;
+    if (!settings.withValues) return output;
+    const std::string name = settings.output.filename().string();
+    output.auxiliary = exporting::AuxiliaryFolder(settings.output.parent_path() /
+                                                  (name.substr(0, name.find('.')) + " values"));
+    return output;
 }
 
-void exportAnimation(const project::Project& project, const scene::Scene& scene,
-                     const AnimationSettings& settings, const Task& task) {
+int exportAnimation(const project::Project& project, const scene::Scene& scene,
+                    const AnimationSettings& settings, const Task& task) {
     if (project.samples.empty())
         throw Error("animation", "has no paint", "open a strip that its objects can wear");
     scene::Scene present = scene;
@@ -71,10 +67,9 @@ void exportAnimation(const project::Project& project, const scene::Scene& scene,
     const project::WornPaints worn =
         project::wornPaints(project, present, paints, task.part(0.1, 0.3), &cache);
     const project::Shot shot{project, present, worn, project.animation.path, settings.width, settings.height};
-    if (exporting::isWritableVideo(settings.output))
-        writeVideo(shot, settings, task.part(0.3, 1));
-    else
-        writePictures(shot, settings, task.part(0.3, 1));
+    project::AnimationOutput output = outputOf(project.animation, settings);
+    output.metadata = metadataOf(shot, settings);
+    return project::writeAnimation(shot, output, task.part(0.3, 1));
 }
 
 }  // namespace chiaro::app

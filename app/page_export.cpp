@@ -1,13 +1,12 @@
 #include "app/page_export.h"
 
 #include "core/base/atomic_file.h"
-#include "core/export/textured_mesh.h"
 #include "core/project/page_export.h"
 
 namespace chiaro::app {
 
 void exportPage(const PictureSource& source, const std::filesystem::path& path, const Task& task) {
-    exporting::checkOutput({path}, true);
+    checkOutputs({path}, true);
     const project::TextureCache cache(project::TextureCache::standardFolder());
     const project::ExportedPage page =
         project::exportPage(path, path.stem().string(), source.project, source.scene, source.camera,

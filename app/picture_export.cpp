@@ -2,6 +2,7 @@
 
 #include "app/worn_scene.h"
 #include "core/base/image_io.h"
+#include "core/export/painted_files.h"
 #include "core/project/pipeline.h"
 
 #include <opencv2/imgproc.hpp>
@@ -125,11 +126,9 @@ void exportPicture(PictureSource source, const PictureSettings& settings, const 
         paintedFrame(std::move(source), gbuffer, pixelsPerPixel, task.part(0.3, 0.95));
     const ImageMetadata metadata{{"Software", "Chiaro " CHIARO_VERSION}};
     task.checkpoint();
-    if (settings.transparent)
-        writeImage(settings.path, frame.picture, metadata, PixelDepth::Bits8);
-    else
-        writeImage(settings.path, methods::over(frame.picture, settings.background), metadata,
-                   PixelDepth::Bits8);
+    exporting::writePainted(settings.path, frame.picture,
+                            settings.transparent ? std::nullopt : std::optional(settings.background),
+                            metadata);
 }
 
 }  // namespace chiaro::app

@@ -60,6 +60,7 @@ std::string singleLine(std::string message) {
 
 int run(int argc, const char* const* argv) {
     keepMemoryReserve();
+    std::signal(SIGXFSZ, SIG_IGN);  // a file beyond what the user may write fails as on a full disk
     InterruptWatch interrupts;
     Session session(interrupts.token());
     CLI::App root("Shades 3D meshes with an artist's own paint.", "chiaro");
@@ -73,6 +74,7 @@ int run(int argc, const char* const* argv) {
     addMeasureCommand(root, session);
     addCompareCommand(root, session);
     addExportCommand(root, session);
+    addFarmCommands(root, session);
     addDemoCommand(root, session);
     try {
         root.parse(argc, argv);

@@ -1,3 +1,4 @@
+#include "app/cli/overwrite_flag.h"
 #include "app/cli/project_source.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
@@ -18,7 +19,7 @@ struct ExportCommand {
     ProjectSource source;
     project::MeshExportParams params;
     std::filesystem::path output;
-    bool mayReplace = false;
+    OverwriteFlag overwrite;
 
     void run(Session& session) const {
         session.start();
@@ -28,7 +29,7 @@ struct ExportCommand {
         for (const project::MeshFile& mesh : project.meshes) inputs.push_back(mesh.path);
         for (const project::Sample& sample : project.samples) inputs.push_back(sample.scan);
         refuseOverwriting(inputs, outputFiles());
-        exporting::checkOutput(outputFiles(), mayReplace);
+        checkOutputs(outputFiles(), overwrite.isGiven());
         const Task task = session.task("export");
         if (exporting::isPage(output))
             exportPage(session, project, task);
@@ -156,7 +157,7 @@ void addExportCommand(CLI::App& root, Session& session) {
             "the view-dependent method with a light to drag and gradients to choose")
         ->required();
     addParameterFlags(*command, state->params);
-    command->add_flag("--overwrite", state->mayReplace, "Replace files that are there already");
+    state->overwrite.addTo(*command);
     session.addCommonFlags(*command);
     command->callback([state, &session] { state->run(session); });
 }

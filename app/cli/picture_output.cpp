@@ -3,20 +3,7 @@
 #include "app/cli/project_source.h"
 #include "core/base/color.h"
 
-#include <spdlog/fmt/fmt.h>
-
 namespace chiaro::cli {
-
-namespace {
-
-/// Depth as files hold it: -1 outside, as in light pictures, since many programs refuse infinities.
-ScalarImage finiteDepth(ScalarImage depth) {
-    for (float& value : depth.pixels())
-        if (std::isinf(value)) value = -1;
-    return depth;
-}
-
-}  // namespace
 
 void PictureOutput::addTo(CLI::App& command) {
     command.add_option("--size", m_size,
@@ -38,38 +25,9 @@ glm::ivec2 PictureOutput::size() const {
     return sizeFrom("--size", m_size);
 }
 
-ColorImage PictureOutput::opaque(const ColorAlphaImage& picture) const {
-    return methods::over(picture, colorFromHex(m_background));
-}
-
-void PictureOutput::write(const std::filesystem::path& path, ColorAlphaImage picture,
-                          const ImageMetadata& metadata) const {
-    const bool isLinear = path.extension() == ".exr";
-    if (!isTransparent()) {
-        ColorImage opaquePicture = opaque(picture);
-        if (isLinear)
-            for (glm::vec3& pixel : opaquePicture.pixels()) pixel = linearFromSrgb(pixel);
-        return writeImage(path, opaquePicture, metadata);
-    }
-    if (isLinear)
-        for (glm::vec4& pixel : picture.pixels())
-            pixel = glm::vec4(linearFromSrgb(glm::vec3(pixel)), pixel.a);
-    writeImage(path, picture, metadata);
-}
-
-std::filesystem::path PictureOutput::auxiliaryPath(const char* name, const char* extension, int frame) const {
-    return m_auxiliary / (frame > 0 ? fmt::format("{}.{:04}{}", name, frame, extension)
-                                    : fmt::format("{}{}", name, extension));
-}
-
-void PictureOutput::writeAuxiliary(const scene::GBuffer& gbuffer, const methods::Frame& frame,
-                                   const ImageMetadata& metadata, int number) const {
-    writeImage(auxiliaryPath("light", ".exr", number), gbuffer.light, metadata);
-    writeImage(auxiliaryPath("id", ".png", number), gbuffer.objectId, metadata);
-    writeImage(auxiliaryPath("texture", ".exr", number), frame.texture, metadata);
-    if (gbuffer.depth.empty()) return;  // guides have neither depth nor normals
-    writeImage(auxiliaryPath("depth", ".exr", number), finiteDepth(gbuffer.depth), metadata);
-    writeImage(auxiliaryPath("normal", ".exr", number), gbuffer.normal, metadata);
+std::optional<glm::vec3> PictureOutput::background() const {
+    if (isTransparent()) return std::nullopt;
+    return colorFromHex(m_background);
 }
 
 nlohmann::json PictureOutput::parameters() const {

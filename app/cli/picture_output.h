@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/cli/session.h"
-#include "core/methods/method.h"
+#include "core/export/painted_files.h"
 
 namespace chiaro::cli {
 
@@ -16,19 +16,10 @@ public:
 
     glm::ivec2 size() const;
     bool isTransparent() const { return m_background == "transparent"; }
-    /// The picture over the background.
-    ColorImage opaque(const ColorAlphaImage& picture) const;
-    /// Writes it with or without its background; EXR holds scene-linear colours, the other formats
-    /// display-referred ones. Throws Error.
-    void write(const std::filesystem::path& path, ColorAlphaImage picture,
-               const ImageMetadata& metadata) const;
-
-    bool writesAuxiliary() const { return !m_auxiliary.empty(); }
-    /// A file of the folder for such values: `light.exr`, or `light.0007.exr` for a frame.
-    std::filesystem::path auxiliaryPath(const char* name, const char* extension, int frame = 0) const;
-    /// light, id and texture, and of a mesh also depth and normal.
-    void writeAuxiliary(const scene::GBuffer& gbuffer, const methods::Frame& frame,
-                        const ImageMetadata& metadata, int number = 0) const;
+    /// What lies behind the objects; none when it is transparent.
+    std::optional<glm::vec3> background() const;
+    /// Where the values that a picture was shaded from are to go.
+    exporting::AuxiliaryFolder auxiliary() const { return exporting::AuxiliaryFolder(m_auxiliary); }
     /// For metadata.
     nlohmann::json parameters() const;
 

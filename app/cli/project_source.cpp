@@ -243,25 +243,6 @@ LoadedProject loadProject(project::Project project, const Task& task) {
     return loaded;
 }
 
-nlohmann::json paintParameters(const project::Project& project) {
-    nlohmann::json json{{"method", project.method}};
-    for (const project::Sample& sample : project.samples)
-        json["samples"].push_back(sample.scan.filename().string());
-    json.update(project::renderMethod(project.method).parameters(project));
-    return json;
-}
-
-nlohmann::json sceneParameters(const project::Project& project) {
-    nlohmann::json json{
-        {"camera", {project.camera.azimuth, project.camera.elevation, project.camera.distance}}};
-    for (const project::MeshFile& mesh : project.meshes)
-        json["meshes"].push_back(mesh.path.filename().string());
-    json.update(parametersToJson(project.occlusion));
-    for (const scene::Light& light : project.lights)
-        json["lights"].push_back({light.vector.x, light.vector.y, light.vector.z, light.intensity});
-    return json;
-}
-
 glm::ivec2 sizeFrom(const std::string& flag, const std::string& text) {
     glm::ivec2 size(0);
     int read = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/session.h"
+#include "core/project/picture_parameters.h"
 #include "core/project/pipeline.h"
 
 #include <memory>
@@ -51,10 +52,8 @@ scene::Scene readScene(const project::Project& project, const Task& task = {});
 /// Reads mesh and samples and makes the paints. Throws Error, Cancelled.
 LoadedProject loadProject(project::Project project, const Task& task);
 
-/// Method, samples and how they are laid on, for metadata.
-nlohmann::json paintParameters(const project::Project& project);
-/// Meshes, camera and lights, for metadata.
-nlohmann::json sceneParameters(const project::Project& project);
+using project::paintParameters;
+using project::sceneParameters;
 
 /// "1280x720", each side 1..16384, 64 megapixels in all. Throws CLI::ValidationError.
 glm::ivec2 sizeFrom(const std::string& flag, const std::string& text);

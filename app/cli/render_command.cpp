@@ -56,8 +56,8 @@ struct RenderCommand {
         seconds.synthesis += rendering.synthesisSeconds;
         seconds.shade = stopwatch.lap() - rendering.synthesisSeconds;
         const ImageMetadata metadata = pictureMetadata("render", parameters(view));
-        picture.write(output, rendering.frame.picture, metadata);
-        if (picture.writesAuxiliary()) picture.writeAuxiliary(view.gbuffer, rendering.frame, metadata);
+        exporting::writePainted(output, rendering.frame.picture, picture.background(), metadata);
+        if (picture.auxiliary().isGiven()) picture.auxiliary().write(view.gbuffer, rendering.frame, metadata);
         report(session, view, rendering.report, seconds);
     }
 

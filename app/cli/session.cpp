@@ -6,12 +6,20 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <thread>
 #include <unistd.h>
 
 namespace chiaro::cli {
+
+std::string timeLeft(double seconds, double fraction) {
+    if (fraction >= 1 || fraction < 0.02 || seconds < 3) return {};
+    const auto left = std::int64_t(std::ceil(seconds * (1 - fraction) / fraction));
+    if (left >= 3600) return fmt::format("{}:{:02}:{:02} left", left / 3600, left / 60 % 60, left % 60);
+    return fmt::format("{}:{:02} left", left / 60, left % 60);
+}
 
 void Session::addCommonFlags(CLI::App& command) {
     command.add_flag("--json", flags.json, "Print one JSON object on stdout instead of text");
@@ -40,12 +48,14 @@ Task Session::task(const std::string& label) {
     const auto begin = std::chrono::steady_clock::now();
     return Task(m_stop, [label, begin](double fraction) {
         constexpr int width = 32;
-        if (std::chrono::steady_clock::now() - begin < std::chrono::seconds(1)) return;
+        const double seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        if (seconds < 1) return;
         const int filled = int(fraction * width);
-        std::fprintf(stderr, "\r%-12s [%s%s] %3d%%%s", label.c_str(),
+        std::fprintf(stderr, "\r%-12s [%s%s] %3d%%  %-14s%s", label.c_str(),
                      std::string(std::size_t(filled), '#').c_str(),
                      std::string(std::size_t(width - filled), ' ').c_str(), int(fraction * 100),
-                     fraction >= 1 ? "\n" : "");
+                     timeLeft(seconds, fraction).c_str(), fraction >= 1 ? "\n" : "");
     });
 }
 

@@ -72,6 +72,10 @@ void usageFrom(const std::string& flag, const std::function<void()>& check);
 void refuseOverwriting(const std::vector<std::filesystem::path>& inputs,
                        const std::vector<std::filesystem::path>& outputs);
 
+/// "1:23 left" or "1:02:03 left" of work that a fraction was done of in these seconds; empty as long as that
+/// says little.
+std::string timeLeft(double seconds, double fraction);
+
 /// What every picture that a command writes carries: version, command, parameters. Nothing that may differ
 /// between runs that make the same picture (threads, output names).
 ImageMetadata pictureMetadata(const std::string& command, const nlohmann::json& parameters);
@@ -98,6 +102,7 @@ void addViewsCommand(CLI::App& root, Session& session);
 void addMeasureCommand(CLI::App& root, Session& session);
 void addCompareCommand(CLI::App& root, Session& session);
 void addExportCommand(CLI::App& root, Session& session);
+void addFarmCommands(CLI::App& root, Session& session);
 void addDemoCommand(CLI::App& root, Session& session);
 
 }  // namespace chiaro::cli

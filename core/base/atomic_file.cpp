@@ -9,10 +9,15 @@
 #include <atomic>
 #include <cctype>
 #include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
 #include <list>
+#include <map>
+#include <regex>
+#include <set>
 #include <unistd.h>
 
 namespace chiaro {
@@ -44,6 +49,30 @@ void flushToDisk(const fs::path& path, const fs::path& destination, int flags) {
     if (result != 0) throw writeError(destination, std::strerror(reason));
 }
 
+/// Why what is at the destination can't be replaced; empty when it can.
+std::string refusal(const fs::path& destination) {
+    std::error_code ignored;
+    if (fs::is_directory(destination, ignored)) return "it is a folder";
+    const fs::perms anyWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+    const bool isReadOnly = fs::exists(destination, ignored) &&
+                            (fs::status(destination, ignored).permissions() & anyWrite) == fs::perms::none;
+    return isReadOnly ? "it is marked read-only" : "";
+}
+
+/// Writes a file beside the destination and removes it. A folder that is missing is made only when there is
+/// something to put into it, so it is asked of the one that it will be made in.
+void checkFolder(const fs::path& destination) {
+    std::error_code ignored;
+    fs::path folder = fs::absolute(destination, ignored).parent_path();
+    while (!fs::exists(folder, ignored) && folder.has_relative_path()) folder = folder.parent_path();
+    if (!fs::is_directory(folder, ignored)) throw writeError(destination, folder.string() + " is no folder");
+    const fs::path probe = temporaryBeside(folder / destination.filename());
+    const int file = ::open(probe.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0600);
+    if (file < 0) throw writeError(destination, std::strerror(errno));
+    ::close(file);
+    fs::remove(probe, ignored);
+}
+
 }  // namespace
 
 std::string thisMachine() {
@@ -62,11 +91,8 @@ AtomicFile::AtomicFile(fs::path destination) : m_destination(std::move(destinati
     std::error_code error;
     if (m_destination.has_parent_path()) fs::create_directories(m_destination.parent_path(), error);
     if (error) throw writeError(m_destination, error.message());
-    if (fs::is_directory(m_destination, error)) throw writeError(m_destination, "it is a folder");
-    const fs::perms anyWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
-    if (fs::exists(m_destination, error) &&
-        (fs::status(m_destination, error).permissions() & anyWrite) == fs::perms::none)
-        throw writeError(m_destination, "it is marked read-only");
+    if (const std::string reason = refusal(m_destination); !reason.empty())
+        throw writeError(m_destination, reason);
     m_temporary = temporaryBeside(m_destination);
 }
 
@@ -105,6 +131,36 @@ void writeFilesAtomically(const std::vector<NamedBytes>& files) {
     std::list<AtomicFile> written;
     for (const NamedBytes& file : files) written.emplace_back(file.path).write(file.bytes);
     for (AtomicFile& file : written) file.commit();
+}
+
+void checkOutputs(const std::vector<fs::path>& files, bool mayReplace, const std::string& whatToDo) {
+    std::error_code ignored;
+    if (!mayReplace)
+        for (const fs::path& file : files)
+            if (fs::exists(file, ignored) && !fs::is_directory(file, ignored))
+                throw Error(file.string(), "is there already", whatToDo);
+    std::set<fs::path> folders;
+    for (const fs::path& file : files) {
+        if (!refusal(file).empty()) throw writeError(file, refusal(file));
+        if (folders.insert(file.parent_path()).second) checkFolder(file);
+    }
+}
+
+void removeLeftovers(const std::vector<fs::path>& files) {
+    std::map<fs::path, std::set<std::string>> names;
+    for (const fs::path& file : files) names[file.parent_path()].insert(file.filename().string());
+    static const std::regex temporary(R"(\.(.+)\.(\d+)-\d+-(\w+?)(\.[^.]*)?)");
+    std::error_code ignored;
+    for (const auto& [folder, wanted] : names)
+        for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
+            const std::string name = entry.path().filename().string();
+            std::smatch match;
+            if (!std::regex_match(name, match, temporary)) continue;
+            // Of another machine's processes nothing is known here.
+            const bool isOver = match.str(3) == thisMachine() &&
+                                ::kill(std::atoi(match.str(2).c_str()), 0) != 0 && errno == ESRCH;
+            if (isOver && wanted.contains(match.str(1) + match.str(4))) fs::remove(entry.path(), ignored);
+        }
 }
 
 std::string readFile(const fs::path& path, std::uintmax_t limit) {

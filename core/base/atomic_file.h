@@ -51,6 +51,14 @@ struct NamedBytes {
 /// disk. Throws Error naming the one that failed.
 void writeFilesAtomically(const std::vector<NamedBytes>& files);
 
+/// To be called before long work: throws Error naming the file when one is there already and may not be
+/// replaced, or when its folder can't be written to. `whatToDo` ends the sentence about the former.
+void checkOutputs(const std::vector<std::filesystem::path>& files, bool mayReplace,
+                  const std::string& whatToDo = "choose another name, or --overwrite");
+
+/// Removes what a process of this machine that was killed amid writing one of these files left beside it.
+void removeLeftovers(const std::vector<std::filesystem::path>& files);
+
 /// Reads a whole file of at most `limit` bytes. Throws Error when it is missing, no file, or larger.
 std::string readFile(const std::filesystem::path& path, std::uintmax_t limit);
 

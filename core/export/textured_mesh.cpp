@@ -30,17 +30,7 @@ std::vector<fs::path> filesOf(const fs::path& path) {
 }
 
 void checkMeshOutput(const fs::path& path, bool mayReplace) {
-    checkOutput(filesOf(path), mayReplace);
-}
-
-void checkOutput(const std::vector<fs::path>& files, bool mayReplace) {
-    for (const fs::path& file : files) {
-        std::error_code ignored;
-        if (!mayReplace && fs::exists(file, ignored) && !fs::is_directory(file, ignored))
-            throw Error(file.string(), "is there already", "choose another name, or --overwrite");
-        // A missing folder is made when there is something to put into it.
-        if (!file.has_parent_path() || fs::exists(file.parent_path(), ignored)) AtomicFile(file).write("");
-    }
+    checkOutputs(filesOf(path), mayReplace);
 }
 
 bool hasModelledBacks(const scene::Mesh& mesh) {

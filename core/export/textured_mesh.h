@@ -22,9 +22,6 @@ std::vector<std::filesystem::path> filesOf(const std::filesystem::path& path);
 /// unless it may be replaced, a file that is there already. To be asked before the work begins.
 void checkMeshOutput(const std::filesystem::path& path, bool mayReplace);
 
-/// The same for any files.
-void checkOutput(const std::vector<std::filesystem::path>& files, bool mayReplace);
-
 /// An object as a file holds it. Faces keep their order and their corners theirs.
 struct TexturedObject {
     std::string name;

@@ -82,8 +82,10 @@ void VideoWriter::add(const ColorImage& picture) {
         for (int x = 0; x < width; ++x) {
             const glm::vec3 color = picture(std::min(x, m_impl->width - 1), std::min(y, m_impl->height - 1));
             for (const int channel : {2, 1, 0})
+                // As pictures are rounded, so that a video of frames is the video of what they were made
+                // from.
                 m_impl->pixels.push_back(
-                    std::uint8_t(std::clamp(color[channel], 0.0f, 1.0f) * 255.0f + 0.5f));
+                    std::uint8_t(std::floor(double(std::clamp(color[channel], 0.0f, 1.0f)) * 255.0 + 0.5)));
         }
     m_impl->encoder->add(m_impl->pixels.data());
     ++m_impl->frames;
@@ -95,10 +97,10 @@ void VideoWriter::finish() {
     if (found != m_impl->frames)
         throw Error(m_impl->path.string(),
                     fmt::format("holds {} of {} frames after writing", found, m_impl->frames),
-                    "see whether the disk is full, or choose another format");
+                    "choose a folder you may write to that has space left");
     if (!isWholeContainer(m_impl->file.temporaryPath()))
         throw Error(m_impl->path.string(), "was cut off while it was written",
-                    "see whether the disk is full, or choose another format");
+                    "choose a folder you may write to that has space left");
     m_impl->file.commit();
 }
 

@@ -53,6 +53,31 @@ private Q_SLOTS:
         QVERIFY(!std::filesystem::exists(m_folder / "a.0006.png"));
     }
 
+    void valuesGoBesideAndFinishedFramesStay() {
+        Studio studio;
+        QVERIFY(prepare(studio));
+        app::AnimationSettings wanted = settings("v.####.exr");
+        wanted.withValues = wanted.resume = true;
+        const auto render = [&] {
+            return app::exportAnimation(studio.document.project(), studio.meshes.scene(), wanted, {});
+        };
+        QCOMPARE(render(), 0);
+        for (const char* name : {"light.0003.exr", "id.0003.png", "depth.0004.exr", "normal.0004.exr",
+                                 "texture.0005.exr", "motion.0005.exr"})
+            QVERIFY2(std::filesystem::exists(m_folder / "v values" / name), name);
+        std::filesystem::remove(m_folder / "v.0004.exr");
+        std::filesystem::remove(m_folder / "v values/depth.0005.exr");
+        QCOMPARE(render(), 1);
+        QVERIFY(std::filesystem::exists(m_folder / "v.0004.exr"));
+        QVERIFY(std::filesystem::exists(m_folder / "v values/depth.0005.exr"));
+        wanted.background = glm::vec3(1);  // other pictures
+        QCOMPARE(render(), 0);
+        // White of a display is 1 in a scene, a mid grey less than half of it.
+        wanted.background = glm::vec3(0.5f);
+        QCOMPARE(render(), 0);
+        QVERIFY(std::abs(readImage(m_folder / "v.0003.exr", {}).values.front() - 0.214f) < 0.001f);
+    }
+
     void cancellingLeavesNoVideo() {
         Studio studio;
         QVERIFY(prepare(studio));
@@ -85,6 +110,13 @@ private Q_SLOTS:
         output->setText("/pictures/a.mp4");
         QVERIFY(render->isEnabled());
         QCOMPARE(dialog.settings().output, std::filesystem::path("/pictures/a.mp4"));
+        for (const char* name : {"values", "resume"}) {
+            dialog.findChild<QCheckBox*>(name)->setChecked(true);
+            QVERIFY(!dialog.findChild<QCheckBox*>(name)->isEnabled());
+        }
+        QVERIFY(!dialog.settings().resume && !dialog.settings().withValues);  // videos have neither
+        output->setText("/pictures/a.####.png");
+        QVERIFY(dialog.settings().resume && dialog.settings().withValues);
     }
 };
 

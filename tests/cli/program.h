@@ -1,7 +1,9 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <sys/types.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,20 @@ struct Outcome {
     std::string out;
     std::string error;
     nlohmann::json json() const { return nlohmann::json::parse(out); }
+};
+
+/// A run of `chiaro` that goes on meanwhile; one that isn't waited for is killed.
+class RunningChiaro {
+public:
+    explicit RunningChiaro(const std::vector<std::string>& arguments);
+    ~RunningChiaro();
+    void signal(int number) const;
+    Outcome wait();
+
+private:
+    struct Files;
+    std::unique_ptr<Files> m_files;
+    pid_t m_process = -1;
 };
 
 /// Runs `chiaro` with these arguments and waits for it.
