@@ -1,5 +1,6 @@
 #include "app/first_hints.h"
 #include "app/forgotten_settings.h"
+#include "app/helper_limits.h"
 #include "app/language.h"
 #include "app/main_window.h"
 #include "app/screenshot.h"
@@ -75,6 +76,7 @@ int main(int argc, char** argv) {
     installLanguage(spokenLanguage(options.language.isEmpty() ? rememberedLanguage() : options.language));
     ThemeSwitch theme(options.theme.value_or(ThemeSwitch::remembered()));
 
+    readFilesInHelpers();
     MainWindow window;
     window.addAppearance(theme);
     if (options.isSafe) saySafe(window);

@@ -1,6 +1,7 @@
 #include "app/cli/session.h"
 
 #include "core/base/error.h"
+#include "core/base/import.h"
 
 #include <spdlog/fmt/fmt.h>
 #include <tbb/global_control.h>
@@ -31,12 +32,30 @@ void Session::addCommonFlags(CLI::App& command) {
         .add_option("--threads", flags.threads,
                     "Threads; the result never depends on them (default: all cores)")
         ->check(CLI::Range(0, 1024));
+    addImportFlags(command);
+}
+
+void Session::addImportFlags(CLI::App& command) {
+    const auto& specs = ImportSettings::table().specs();
+    const std::vector<double> defaults = ImportSettings::table().values({});
+    std::optional<int>* const values[] = {&flags.importMemory, &flags.importSeconds};
+    for (std::size_t i = 0; i < specs.size(); ++i)
+        command
+            .add_option("--import-" + specs[i].key, *values[i],
+                        fmt::format("{} ({}; default {}, or CHIARO_IMPORT_{})", specs[i].tooltip,
+                                    specs[i].rangeText(), specs[i].valueText(defaults[i]),
+                                    i == 0 ? "MEMORY" : "SECONDS"))
+            ->check(CLI::Range(int(specs[i].minimum), int(specs[i].maximum)));
 }
 
 void Session::start() {
     static std::unique_ptr<tbb::global_control> limit;
     limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                   std::size_t(threads()));
+    ImportSettings limits = ImportSettings::fromEnvironment();
+    if (flags.importMemory) limits.megabytes = *flags.importMemory;
+    if (flags.importSeconds) limits.seconds = *flags.importSeconds;
+    importInHelpers(limits, m_stop);
 }
 
 int Session::threads() const {

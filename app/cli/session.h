@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -17,7 +18,9 @@ namespace chiaro::cli {
 struct CommonFlags {
     bool json = false;
     bool quiet = false;
-    int threads = 0;         ///< 0: all cores
+    int threads = 0;                  ///< 0: all cores
+    std::optional<int> importMemory;  ///< MB; the environment's or the default when not given
+    std::optional<int> importSeconds;
     std::uint64_t seed = 1;  ///< of commands whose parameters have no seed of their own
 };
 
@@ -30,7 +33,8 @@ public:
 
     /// To be called last: a command whose parameters have a seed keeps that one.
     void addCommonFlags(CLI::App& command);
-    /// To be called once the flags are parsed: limits the threads for the rest of the process.
+    /// To be called once the flags are parsed: limits the threads for the rest of the
+    /// process, and has files read in helper processes.
     void start();
     int threads() const;
 
@@ -41,6 +45,8 @@ public:
     void finish(const nlohmann::json& json, const std::string& text);
 
 private:
+    void addImportFlags(CLI::App& command);
+
     std::stop_token m_stop;
 };
 

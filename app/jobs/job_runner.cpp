@@ -1,6 +1,7 @@
 #include "app/jobs/job_runner.h"
 
 #include "core/base/error.h"
+#include "core/base/import.h"
 #include "core/base/memory_reserve.h"
 
 #include <QtWidgets>
@@ -44,6 +45,7 @@ int JobRunner::launch(JobSpec spec, Work work) {
         try {
             const Task task(job->stop.get_token(), [job](double fraction) { job->progress = fraction; });
             task.checkpoint();
+            const ImportsOfTask imports(task);
             done = work(task);
         } catch (const Cancelled&) {
         } catch (const std::bad_alloc&) {

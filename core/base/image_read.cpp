@@ -1,6 +1,8 @@
 #include "core/base/codec/codec.h"
 #include "core/base/image_format.h"
+#include "core/base/image_import.h"
 #include "core/base/image_io.h"
+#include "core/base/import.h"
 
 namespace chiaro {
 
@@ -8,7 +10,13 @@ namespace fs = std::filesystem;
 
 DecodedImage readImage(const fs::path& path, const ImageLimits& limits) {
     sniffImageFormat(path);  // what is no picture is refused without loading the codec
-    return imageCodec().read(path, limits);
+    if (auto* helpers = importHelpers()) return importImage(*helpers, path, limits, {});
+    std::vector<std::byte> values;
+    const StoredImage stored = imageCodec().read(path, limits, [&](std::size_t size) {
+        values.resize(size);
+        return static_cast<void*>(values.data());
+    });
+    return decodedFrom(stored, values, path, limits);
 }
 
 Image<glm::vec2> readVectors(const fs::path& path, ImageLimits limits) {
@@ -23,6 +31,7 @@ Image<glm::vec2> readVectors(const fs::path& path, ImageLimits limits) {
 
 ImageMetadata readImageMetadata(const fs::path& path) {
     sniffImageFormat(path);
+    if (auto* helpers = importHelpers()) return importImageMetadata(*helpers, path, {});
     return imageCodec().readMetadata(path);
 }
 

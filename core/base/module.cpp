@@ -8,19 +8,16 @@ namespace chiaro {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-fs::path modulePath(const std::string& file) {
+fs::path companionFile(const std::string& file) {
     std::error_code ignored;
-    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-    const fs::path beside = program.parent_path().parent_path() / "lib" / "chiaro" / file;
-    return fs::exists(beside, ignored) ? beside : fs::path(CHIARO_MODULE_FOLDER) / file;
+    const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+    for (const fs::path& candidate : {folder.parent_path() / "lib" / "chiaro" / file, folder / file})
+        if (fs::exists(candidate, ignored)) return candidate;
+    return fs::path(CHIARO_MODULE_FOLDER) / file;
 }
 
-}  // namespace
-
 void* moduleFunction(const std::string& module, const char* function) {
-    const fs::path path = modulePath(module + CHIARO_MODULE_SUFFIX);
+    const fs::path path = companionFile(module + CHIARO_MODULE_SUFFIX);
     // Never closed: its libraries keep threads.
     void* loaded = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* found = loaded ? ::dlsym(loaded, function) : nullptr;

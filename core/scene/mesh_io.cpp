@@ -1,6 +1,8 @@
 #include "core/scene/mesh_io.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/import.h"
+#include "core/scene/mesh_import.h"
 #include "core/scene/mesh_readers.h"
 #include "core/scene/mesh_tasks.h"
 #include "core/scene/text_scanner.h"
@@ -14,8 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t maximumFileSize = std::uintmax_t(2) << 30;
-constexpr std::size_t maximumObjects = 65535;  // object ids have 16 bits
-constexpr float farthestVertex = 1e15f;        // squared distances must stay finite
+constexpr float farthestVertex = 1e15f;  // squared distances must stay finite
 constexpr float creaseDegrees = 40;
 
 using Reader = RawModel (*)(const MeshSource&);
@@ -126,10 +127,21 @@ std::string counted(std::size_t count, const std::string& singular, const std::s
 
 }  // namespace
 
+Error MeshSource::error(std::string_view problem, std::string_view remedy) const {
+    constexpr std::size_t longestProblem = 300;
+    return Error(path.string(), cleanName(problem, longestProblem), remedy);
+}
+
 void checkVertexCount(const MeshSource& source, std::size_t count) {
     if (count > 3 * maximumTriangles)
         throw source.error("has " + std::to_string(count) + " vertices",
                            "at most " + std::to_string(3 * maximumTriangles) + " are read");
+}
+
+void checkTriangleCount(const MeshSource& source, std::size_t count) {
+    if (count > maximumTriangles)
+        throw source.error("has more than " + std::to_string(maximumTriangles) + " triangles",
+                           "simplify the mesh");
 }
 
 void addPolygon(const MeshSource& source, RawModel& model, Mesh& mesh,
@@ -139,14 +151,13 @@ void addPolygon(const MeshSource& source, RawModel& model, Mesh& mesh,
         return;
     }
     model.triangles += corners.size() - 2;
-    if (model.triangles > maximumTriangles)
-        throw source.error("has more than " + std::to_string(maximumTriangles) + " triangles",
-                           "simplify the mesh");
+    checkTriangleCount(source, model.triangles);
     for (std::size_t k = 2; k < corners.size(); ++k)
         mesh.triangles.push_back({corners[0], corners[k - 1], corners[k]});
 }
 
 Model readModel(const fs::path& path, const Task& task) {
+    if (helper::HelperPool* helpers = importHelpers()) return importModel(*helpers, path, task);
     std::string bytes = readFile(path, maximumFileSize);
     if (bytes.empty()) throw Error(path.string(), "is empty", "a mesh file would have vertices and faces");
     if (std::string decoded = decodedUtf16(bytes); !decoded.empty()) bytes = std::move(decoded);

@@ -18,6 +18,7 @@ namespace chiaro::scene {
 // claims; OpenMesh's readers crash on bad indices.
 
 constexpr std::size_t maximumTriangles = 20'000'000;
+constexpr std::size_t maximumObjects = 65535;  // object ids have 16 bits
 constexpr std::uint32_t noIndex = std::numeric_limits<std::uint32_t>::max();
 
 /// A whole mesh file in memory.
@@ -26,9 +27,8 @@ struct MeshSource {
     std::string_view bytes;
     const Task& task;
 
-    Error error(std::string_view problem, std::string_view remedy) const {
-        return Error(path.string(), problem, remedy);
-    }
+    /// A problem may quote the file, whatever stands there.
+    Error error(std::string_view problem, std::string_view remedy) const;
 };
 
 /// What a reader found, before readModel checks vertices, completes normals and tells names apart. Names may
@@ -49,6 +49,9 @@ RawModel readGltf(const MeshSource& source);
 
 /// Throws Error when there are more than maximumTriangles could use.
 void checkVertexCount(const MeshSource& source, std::size_t count);
+
+/// Throws Error beyond maximumTriangles.
+void checkTriangleCount(const MeshSource& source, std::size_t count);
 
 /// Appends a polygon as a fan around its first corner; fewer than three corners only count as skipped. Throws
 /// Error beyond maximumTriangles, counted over the file so far.

@@ -1,4 +1,5 @@
 #include "core/base/atomic_file.h"
+#include "core/base/json_shape.h"
 #include "core/scene/byte_reader.h"
 #include "core/scene/mesh_readers.h"
 #include "core/scene/tinygltf.h"
@@ -17,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t maximumBufferFile = std::uintmax_t(1) << 31;
 constexpr std::size_t maximumZeros =
-    1'000'000;  // elements of an accessor that no byte of the file stands for
+    1'000'000;  // elements of all accessors that no byte of the file stands for
+constexpr std::size_t maximumValues = 1'000'000;
 
 /// What tinygltf may reach of the disk: buffers beside the file or below, by relative names.
 struct Files {
@@ -70,7 +72,27 @@ std::string firstLine(std::string text) {
     return text.substr(begin, end - begin);
 }
 
+/// The JSON of a glTF, or of a GLB, whose first chunk it is.
+std::string_view jsonIn(const MeshSource& source) {
+    if (!source.bytes.starts_with("glTF")) return source.bytes;
+    if (source.bytes.size() < 20) return {};
+    return source.bytes.substr(20, valueAt<std::uint32_t>(source.bytes, 12));
+}
+
+/// tinygltf calls itself for each level, and needs some hundred bytes for each value.
+void checkShape(const MeshSource& source) {
+    const JsonShape shape = jsonShape(jsonIn(source));
+    if (shape.depth > JsonShape::deepest)
+        throw source.error(
+            "nests lists and objects more than " + std::to_string(JsonShape::deepest) + " deep",
+            "a valid glTF 2.0 would be read");
+    if (shape.values > maximumValues)
+        throw source.error("describes itself with " + std::to_string(shape.values) + " values",
+                           "at most " + std::to_string(maximumValues) + " are read");
+}
+
 tinygltf::Model parse(const MeshSource& source) {
+    checkShape(source);
     Files files{source.path.parent_path(), {}};
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(passOverImage, nullptr);
@@ -113,6 +135,7 @@ public:
         for (const std::string& extension : m_gltf.extensionsRequired)
             if (extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression")
                 throw m_source.error("is compressed (" + extension + ")", "export it without compression");
+        checkTotals();
         m_visited.assign(m_gltf.nodes.size(), false);
         for (const int root : rootNodes()) readTree(root);
         return std::move(m_model);
@@ -129,6 +152,44 @@ private:
             damaged(std::string("names ") + what + " " + std::to_string(index) + " of " +
                     std::to_string(list.size()));
         return list[std::size_t(index)];
+    }
+
+    /// A mesh may be used by many nodes and an accessor by many meshes: what all of them ask for is refused
+    /// before anything is made of it.
+    void checkTotals() const {
+        constexpr std::size_t countless = std::size_t(1) << 40;
+        struct Totals {
+            std::size_t vertices = 0, triangles = 0, zeros = 0;
+        };
+        std::vector<Totals> meshes;
+        for (const tinygltf::Mesh& mesh : m_gltf.meshes) {
+            Totals& totals = meshes.emplace_back();
+            for (const tinygltf::Primitive& primitive : mesh.primitives) {
+                const auto position = primitive.attributes.find("POSITION");
+                if (position == primitive.attributes.end()) continue;
+                const auto& positions = at(m_gltf.accessors, position->second, "accessor");
+                const std::size_t count = std::min(positions.count, countless);
+                totals.vertices += count;
+                if (positions.bufferView < 0) totals.zeros += count;
+                const std::size_t corners =
+                    primitive.indices < 0
+                        ? count
+                        : std::min(at(m_gltf.accessors, primitive.indices, "accessor").count, countless);
+                const bool isList = primitive.mode < 0 || primitive.mode == TINYGLTF_MODE_TRIANGLES;
+                totals.triangles += isList ? corners / 3 : corners - std::min<std::size_t>(corners, 2);
+            }
+        }
+        Totals all;
+        for (const tinygltf::Node& node : m_gltf.nodes) {
+            if (node.mesh < 0) continue;
+            const Totals& totals = at(meshes, node.mesh, "mesh");
+            all.vertices += totals.vertices;
+            all.triangles += totals.triangles;
+            all.zeros += totals.zeros;
+            checkVertexCount(m_source, all.vertices);
+            checkTriangleCount(m_source, all.triangles);
+            if (all.zeros > maximumZeros) damaged("accessors without data");
+        }
     }
 
     /// The nodes of the scene to show; without scenes, those that are nobody's child.

@@ -50,11 +50,11 @@ std::size_t characterLength(std::string_view text) {
 
 }  // namespace
 
-std::string cleanName(std::string_view name) {
+std::string cleanName(std::string_view name, std::size_t longest) {
     std::string clean;
     while (!name.empty()) {
         const std::size_t length = characterLength(name);
-        if (clean.size() + length > 120) break;
+        if (clean.size() + length > longest) break;
         if (length == 0) clean += '?';
         if (length > 1 || (length == 1 && name[0] >= ' ' && name[0] != 0x7F)) clean += name.substr(0, length);
         name.remove_prefix(std::max<std::size_t>(length, 1));

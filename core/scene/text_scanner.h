@@ -45,7 +45,7 @@ private:
 std::string decodedUtf16(std::string_view bytes);
 
 /// An object's name as it can be shown and saved: valid UTF-8 (other bytes become '?') without control
-/// characters, at most 120 bytes.
-std::string cleanName(std::string_view name);
+/// characters, at most `longest` bytes.
+std::string cleanName(std::string_view name, std::size_t longest = 120);
 
 }  // namespace chiaro::scene

@@ -35,7 +35,8 @@ void expectOneSentence(const Outcome& outcome) {
 }
 
 TEST(SampleInfo, TellsWhatTheContractNames) {
-    const Outcome outcome = chiaro({"sample", "info", oil, "--json"});
+    const Outcome outcome =
+        chiaro({"sample", "info", oil, "--json", "--import-memory", "1024", "--import-seconds", "60"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     EXPECT_EQ(outcome.json()["width"], 800);
     EXPECT_EQ(outcome.json()["height"], 200);
@@ -239,6 +240,8 @@ TEST(Usage, IsRefusedWithStatus2) {
              {"levels", oil, "-o", folder / "l", "--block", "x"},
              {"levels", oil, "-o", folder / "l", "--seed", "-1"},
              {"sample", "info", oil, "--seed", "-1"},
+             {"sample", "info", oil, "--import-memory", "100"},
+             {"sample", "info", oil, "--import-seconds", "0"},
              {"sample", "recolor", oil, "--stops", "0 #12345", "-o", folder / "r.png"},
              {"render", "--mesh", skull, "-o", folder / "a.png"},
              {"render", "--mesh", skull, "--sample", oil, "--size", "16384x16384", "-o", folder / "a.png"},

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/image_format.h"
-#include "core/base/image_io.h"
+#include "core/base/stored_image.h"
 
 #include <string>
 
@@ -25,7 +25,9 @@ struct EncodeRequest {
 /// picture is read or written, since the image library brings 260 shared libraries: half a second and 100 MB
 /// that no start should wait for.
 struct ImageCodec {
-    DecodedImage (*read)(const std::filesystem::path& path, const ImageLimits& limits);
+    /// The values are decoded into what `allocate` gives.
+    StoredImage (*read)(const std::filesystem::path& path, const ImageLimits& limits,
+                        const AllocateValues& allocate);
     ImageMetadata (*readMetadata)(const std::filesystem::path& path);
     std::string (*encode)(const EncodeRequest& request);  ///< the file's bytes
 };

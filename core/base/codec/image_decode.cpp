@@ -1,5 +1,6 @@
 #include "core/base/codec/image_decode.h"
 
+#include "core/base/codec/claimed_sizes.h"
 #include "core/base/error.h"
 #include "core/base/image_format.h"
 #include "core/base/image_layout.h"
@@ -52,6 +53,9 @@ public:
     PictureReader(const fs::path& path, const ImageLimits& limits)
         : m_path(path), m_limits(limits), m_format(sniffImageFormat(path)) {
         if (m_format == ImageFormat::Png) m_quiet.emplace();
+        if (m_format == ImageFormat::Png && !pngChunksFit(path)) throw damaged("it ends within a chunk");
+        if (m_format == ImageFormat::OpenExr && !openExrHeaderFits(path))
+            throw damaged("it is smaller than its header says");
         m_input = OIIO::ImageInput::create(codecName(m_format));
         if (!m_input)
             throw Error(path.string(), fmt::format("{} can't be read on this machine", displayName(m_format)),
@@ -63,22 +67,20 @@ public:
 
     const OIIO::ImageSpec& spec() const { return m_spec; }
 
-    DecodedImage read() {
-        checkSize(m_spec.width, m_spec.height);
+    StoredImage read(const AllocateValues& allocate) {
+        checkImageSize(m_path, m_spec.width, m_spec.height, m_limits);
+        checkTiles();
         if (m_spec.deep || m_spec.depth > 1)
             throw Error(m_path.string(), "holds several values in depth at each pixel",
                         "save it as a flat picture");
-        const ChannelChoice channels = choose();
-        DecodedImage image = decode(channels);
-        if (!m_limits.mayBeNotFinite && !allFinite(image.values))
-            throw Error(m_path.string(), "has pixels that are not finite numbers",
-                        "replace the NaN and infinite pixels and save it again");
-        const bool associated =
+        const bool isOpenExr = m_format == ImageFormat::OpenExr;
+        StoredImage stored = decode(choose(), allocate);
+        stored.isPremultiplied =
             !m_limits.asVectors && m_spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
-        if (associated) unpremultiply(image);
-        image.linear = m_format == ImageFormat::OpenExr;
-        if (m_format == ImageFormat::OpenExr) image = withinDisplayWindow(std::move(image));
-        return upright(std::move(image), m_spec.get_int_attribute("Orientation", 1));
+        stored.isLinear = isOpenExr;
+        stored.orientation = m_spec.get_int_attribute("Orientation", 1);
+        if (isOpenExr) placeInDisplayWindow(stored);
+        return stored;
     }
 
 private:
@@ -94,16 +96,6 @@ private:
                      fmt::format("the {} file can't be decoded{}", displayName(m_format),
                                  reason.empty() ? "" : " (" + reason.substr(0, 160) + ")"),
                      "it may be damaged or cut off, so copy it or save it again");
-    }
-
-    void checkSize(int width, int height) const {
-        const auto pixels = std::uint64_t(std::max(width, 0)) * std::uint64_t(std::max(height, 0));
-        if (pixels > 0 && pixels <= m_limits.maximumPixels && width <= m_limits.maximumSide &&
-            height <= m_limits.maximumSide)
-            return;
-        throw Error(m_path.string(), fmt::format("is {} x {} pixels", width, height),
-                    fmt::format("pictures may be up to {} pixels wide or high and {} megapixels",
-                                m_limits.maximumSide, m_limits.maximumPixels / 1'000'000));
     }
 
     ChannelChoice chooseForVectors() const {
@@ -135,50 +127,67 @@ private:
         return channels;
     }
 
-    DecodedImage decode(const ChannelChoice& channels) {
-        switch (m_spec.format.basetype) {
-            case OIIO::TypeDesc::UINT8:
-                return decodeAs<std::uint8_t>(channels, OIIO::TypeDesc::UINT8);
-            case OIIO::TypeDesc::UINT16:
-                return decodeAs<std::uint16_t>(channels, OIIO::TypeDesc::UINT16);
-            default:
-                return decodeAs<float>(channels, OIIO::TypeDesc::FLOAT);
-        }
+    /// Even a blank JPEG is a two-hundredth of its pixels; only what was made to fill memory packs a large
+    /// picture tighter. And neither PNG nor TIFF packs three thousand bytes into one: there the file is cut
+    /// off.
+    void checkExpansion(std::size_t bytes, std::string_view what) const {
+        constexpr std::size_t harmless = 192 << 20, small = 16 << 20;
+        std::error_code ignored;
+        const std::uintmax_t size = fs::file_size(m_path, ignored);
+        const bool isBomb = bytes > harmless && bytes / 250 > size;
+        const bool isCutOff = m_format != ImageFormat::OpenExr && bytes > small && bytes / 3000 > size;
+        if (!isBomb && !isCutOff) return;
+        throw Error(
+            m_path.string(),
+            fmt::format("is {} kB large but its pixels{} would fill {} MB", size >> 10, what, bytes >> 20),
+            "a picture of that size is never so small; save a smaller one");
     }
 
-    /// Integers are divided here, since the library multiplies by a rounded reciprocal.
-    template <class Value>
-    DecodedImage decodeAs(const ChannelChoice& channels, OIIO::TypeDesc type) {
+    /// Tiles are decoded as a whole, whatever the picture's size.
+    void checkTiles() const {
+        const auto pixels =
+            std::uint64_t(std::max(m_spec.tile_width, 0)) * std::uint64_t(std::max(m_spec.tile_height, 0));
+        if (pixels > m_limits.maximumPixels || pixels * m_spec.pixel_bytes(true) > (std::uint64_t(1) << 30) ||
+            (pixels > 1 << 24 && pixels > 4 * m_spec.image_pixels()))
+            throw Error(m_path.string(),
+                        fmt::format("has tiles of {} x {} pixels", m_spec.tile_width, m_spec.tile_height),
+                        "save it with tiles that are no larger than the picture, or with none");
+    }
+
+    StoredImage decode(const ChannelChoice& channels, const AllocateValues& allocate) {
         const auto [firstChannel, lastChannel] = std::minmax_element(channels.begin(), channels.end());
         const int first = *firstChannel;
-        const std::size_t stride = std::size_t(*lastChannel - first + 1);
-        const std::size_t pixels = m_spec.image_pixels();
-        std::vector<Value> stored(pixels * stride);
-        const bool complete = m_input->read_image(0, 0, first, first + int(stride), type, stored.data());
+        StoredImage stored;
+        stored.width = stored.canvasWidth = m_spec.width;
+        stored.height = stored.canvasHeight = m_spec.height;
+        stored.stride = *lastChannel - first + 1;
+        stored.channelCount = int(channels.size());
+        for (std::size_t k = 0; k < channels.size(); ++k) stored.channels[k] = channels[k] - first;
+        OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT;
+        stored.type = StoredImage::Values::Float;
+        if (m_spec.format.basetype == OIIO::TypeDesc::UINT8) {
+            type = OIIO::TypeDesc::UINT8;
+            stored.type = StoredImage::Values::Bits8;
+        } else if (m_spec.format.basetype == OIIO::TypeDesc::UINT16) {
+            type = OIIO::TypeDesc::UINT16;
+            stored.type = StoredImage::Values::Bits16;
+        }
+        checkExpansion(stored.byteCount(), "");
+        const bool complete =
+            m_input->read_image(0, 0, first, first + stored.stride, type, allocate(stored.byteCount()));
         const std::string complaint = m_input->geterror();
         if (!complete || !complaint.empty()) throw damaged(complaint);
-
-        DecodedImage image{m_spec.width, m_spec.height, int(channels.size()), false, {}, 0};
-        if (std::is_integral_v<Value>) image.bits = int(8 * sizeof(Value));
-        image.values.resize(pixels * channels.size());
-        float* to = image.values.data();
-        for (std::size_t pixel = 0; pixel < pixels; ++pixel)
-            for (const int channel : channels)
-                *to++ = unitValue(stored[pixel * stride + std::size_t(channel - first)]);
-        return image;
+        return stored;
     }
 
-    static float unitValue(std::uint8_t value) { return float(value) / 255.0f; }
-    static float unitValue(std::uint16_t value) { return float(value) / 65535.0f; }
-    static float unitValue(float value) { return value; }
-
-    DecodedImage withinDisplayWindow(DecodedImage image) const {
-        if (m_spec.full_width == m_spec.width && m_spec.full_height == m_spec.height &&
-            m_spec.x == m_spec.full_x && m_spec.y == m_spec.full_y)
-            return image;
-        checkSize(m_spec.full_width, m_spec.full_height);
-        return placed(image, m_spec.x - m_spec.full_x, m_spec.y - m_spec.full_y, m_spec.full_width,
-                      m_spec.full_height);
+    void placeInDisplayWindow(StoredImage& stored) const {
+        checkImageSize(m_path, m_spec.full_width, m_spec.full_height, m_limits);
+        const auto pixels = std::size_t(m_spec.full_width) * std::size_t(m_spec.full_height);
+        checkExpansion(pixels * std::size_t(stored.channelCount) * sizeof(float), " and its display window");
+        stored.x = m_spec.x - m_spec.full_x;
+        stored.y = m_spec.y - m_spec.full_y;
+        stored.canvasWidth = m_spec.full_width;
+        stored.canvasHeight = m_spec.full_height;
     }
 
     fs::path m_path;
@@ -191,9 +200,9 @@ private:
 
 }  // namespace
 
-DecodedImage decodeImage(const fs::path& path, const ImageLimits& limits) {
+StoredImage decodeImage(const fs::path& path, const ImageLimits& limits, const AllocateValues& allocate) {
     try {
-        return PictureReader(path, limits).read();
+        return PictureReader(path, limits).read(allocate);
     } catch (const std::bad_alloc&) {
         throw Error(path.string(), "takes more memory than there is", "make the picture smaller");
     }

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "core/base/image_io.h"
+#include "core/base/stored_image.h"
 
 namespace chiaro {
 
 /// readImage and readImageMetadata, inside the module.
-DecodedImage decodeImage(const std::filesystem::path& path, const ImageLimits& limits);
+StoredImage decodeImage(const std::filesystem::path& path, const ImageLimits& limits,
+                        const AllocateValues& allocate);
 ImageMetadata decodeMetadata(const std::filesystem::path& path);
 
 }  // namespace chiaro
