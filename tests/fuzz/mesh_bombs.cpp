@@ -58,7 +58,7 @@ Bytes manyZeros() {
 Bytes manyInstances() {
     std::string nodes = R"({"children":[1)";
     constexpr int count = 60'000;
-    for (int i = 2; i <= count; ++i) nodes += Bytes(",") + std::to_string(i);
+    for (int i = 2; i <= count; ++i) nodes.append(",").append(std::to_string(i));
     nodes += "]}";
     for (int i = 0; i < count; ++i) nodes += R"(,{"mesh":0})";
     return gltf(meshOf(vectors("3"), 400) + Bytes(",") + triangleData, nodes);
