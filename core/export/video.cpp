@@ -96,10 +96,10 @@ void VideoWriter::finish() {
     const int found = videoModule().countFrames(m_impl->file.temporaryPath());
     if (found != m_impl->frames)
         throw Error(m_impl->path.string(),
-                    fmt::format("holds {} of {} frames after writing", found, m_impl->frames),
+                    fmt::format("could not be written (only {} of {} frames arrived)", found, m_impl->frames),
                     "choose a folder you may write to that has space left");
     if (!isWholeContainer(m_impl->file.temporaryPath()))
-        throw Error(m_impl->path.string(), "was cut off while it was written",
+        throw Error(m_impl->path.string(), "could not be written (it was cut off)",
                     "choose a folder you may write to that has space left");
     m_impl->file.commit();
 }

@@ -2,6 +2,7 @@
 // core knows no Qt and marks nothing for translation itself. The translations' check wants every parameter
 // table here.
 
+#include "core/base/import.h"
 #include "core/gradient/gradient.h"
 #include "core/methods/coherence.h"
 #include "core/methods/image_based.h"
@@ -51,6 +52,7 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 int main() {
+    addTable<ImportSettings>();
     addTable<sample::StripParams>();
     addTable<gradient::GradientParams>();
     addTable<synthesis::QuiltParams>();
