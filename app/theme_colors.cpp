@@ -56,6 +56,10 @@ constexpr ThemeColor colors[] = {
     {"palette-light", 0x4c4c4c, 0xffffff},
     {"palette-mid", 0x282828, 0xbebebe},
     {"palette-dark", 0x1c1c1c, 0x8c8c8c},
+    // Over the picture: dark in both themes, since it lies on paint.
+    {"overlay-edge", 0x4c4c4c, 0x4c4c4c},
+    {"overlay-dim", 0xb4b4b4, 0xb4b4b4},
+    {"overlay-text", 0xf0f0f0, 0xf0f0f0},
     // Messages, and the inks of icons.
     {"note-ground", 0x3a3326, 0xfaeccf},
     {"note-edge", 0x6b5530, 0xd6b273},

@@ -85,7 +85,9 @@ QWidget* ColorPathView::makeHeader() {
 }
 
 void ColorPathView::addTool(QWidget* tool) {
+    QWidget* before = m_header->itemAt(m_header->count() - 1)->widget();
     m_header->addWidget(tool);
+    setTabOrder(before, tool);
 }
 
 QWidget* ColorPathView::makeTools() {

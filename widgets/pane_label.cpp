@@ -7,6 +7,7 @@ namespace chiaro::widgets {
 PaneLabel::PaneLabel(const QString& name, const std::vector<NamedMethod>& methods, QWidget* parent)
     : QFrame(parent), m_name(name) {
     m_button = new QToolButton;
+    m_button->setAccessibleName(name);
     m_button->setAutoRaise(true);
     m_button->setFocusPolicy(Qt::TabFocus);
     m_button->setPopupMode(QToolButton::InstantPopup);

@@ -2,6 +2,41 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>ColorPreset</name>
+    <message>
+        <source>Ivory black</source>
+        <translation>Elfenbeinschwarz</translation>
+    </message>
+    <message>
+        <source>Sepia</source>
+        <translation>Sepia</translation>
+    </message>
+    <message>
+        <source>Sanguine</source>
+        <translation>Rötel</translation>
+    </message>
+    <message>
+        <source>Cyanotype</source>
+        <translation>Cyanotypie</translation>
+    </message>
+    <message>
+        <source>Indigo and gold</source>
+        <translation>Indigo und Gold</translation>
+    </message>
+    <message>
+        <source>Verdigris</source>
+        <translation>Grünspan</translation>
+    </message>
+    <message>
+        <source>Ultramarine and flesh</source>
+        <translation>Ultramarin und Inkarnat</translation>
+    </message>
+    <message>
+        <source>Night garden</source>
+        <translation>Nachtgarten</translation>
+    </message>
+</context>
+<context>
     <name>Core</name>
     <message>
         <source>Similarity</source>
@@ -582,6 +617,30 @@
     <message>
         <source>How many pixels are drawn by chance and measured in each frame.</source>
         <translation>Wie viele Pixel in jedem Bild zufällig gezogen und gemessen werden.</translation>
+    </message>
+    <message>
+        <source>MB</source>
+        <translation>MB</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>Memory that reading one file may take</source>
+        <translation>Speicher, den das Lesen einer Datei brauchen darf</translation>
+    </message>
+    <message>
+        <source>Seconds that reading one file may take</source>
+        <translation>Sekunden, die das Lesen einer Datei dauern darf</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
     </message>
 </context>
 <context>

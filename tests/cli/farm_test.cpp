@@ -209,7 +209,7 @@ TEST_F(Farm, RefusesWhatItCannotDoInOneSentence) {
              {{"farm", "status", folder.path()}, 1, "job.json"},
              {{"farm", "status", "nowhere"}, 1, "nowhere"},
              {{"farm", "collect", frames}, 1, "job.json"},
-             {{"farm", "collect", frames, "--frames", "1-2", "--video", "a.gif"}, 2, "a video"}}) {
+             {{"farm", "collect", frames, "--frames", "1-2", "--video", "a.gif"}, 2, "no video"}}) {
         const Outcome outcome = chiaro(one.arguments);
         EXPECT_EQ(outcome.status, one.status) << outcome.error;
         EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;

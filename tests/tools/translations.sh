@@ -20,7 +20,7 @@ status=0
 for translation in resources/translations/*.ts; do
     copy=$work/$(basename "$translation")
     cp "$translation" "$copy"
-    "$lupdate" -silent -locations none -no-obsolete -I . "$work/core_texts.cpp" app widgets -ts "$copy" 2> "$work/log" ||
+    "$lupdate" -silent -locations none -no-obsolete -I . "$work/core_texts.cpp" app widgets core -ts "$copy" 2> "$work/log" ||
         { cat "$work/log"; exit 1; }
     # A tr() that lupdate can't place would never be looked at.
     if grep -E "lacks Q_OBJECT|cannot be called without context" "$work/log"; then status=1; fi
