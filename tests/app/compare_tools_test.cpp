@@ -160,6 +160,7 @@ private Q_SLOTS:
         compare().setPaneCount(3);
         compare().setMode(Mode::SideBySide);
         QTRY_VERIFY_WITH_TIMEOUT(m_window->frameTextures().isFinal(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->objectTextures().isFinal(), 60'000);
         QVERIFY(settle());
         const auto made = [&] {
             return std::vector{
