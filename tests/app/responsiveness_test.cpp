@@ -117,7 +117,8 @@ class ResponsivenessTest : public QObject {
         }
         if (!open({test::writeStrip(m_folder / "strip.png", 320, 96), mesh})) return false;
         std::size_t faces = 0;
-        for (const scene::Object& object : m_window->viewport().snapshots().front().scene.objects)
+        const std::vector<widgets::ViewSnapshot> shown = m_window->viewport().snapshots();
+        for (const scene::Object& object : shown.front().scene.objects)
             faces += object.mesh->triangles.size();
         qInfo("%zu faces", faces);
         return faces >= 490'000;
