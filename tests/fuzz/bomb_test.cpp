@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/image_import.h"
 #include "core/project/animation.h"
+#include "core/project/presets.h"
 #include "core/scene/mesh_import.h"
 #include "tests/core/base/raw_files.h"
 #include "tests/fuzz/bombs.h"
@@ -54,6 +55,9 @@ protected:
                 break;
             case Opened::Path:
                 project::readPath(path);
+                break;
+            case Opened::Preset:
+                project::readPreset(path);
                 break;
         }
     }

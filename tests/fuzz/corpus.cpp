@@ -29,6 +29,7 @@ const std::vector<Format>& formats() {
         {"gltf", ".gltf", Opened::Mesh},
         {"chiaro", ".chiaro", Opened::Project},
         {"path", ".json", Opened::Path},
+        {"preset", ".json", Opened::Preset},
     };
     return all;
 }

@@ -7,7 +7,7 @@
 namespace chiaro::test {
 
 /// What a file of a format is opened as.
-enum class Opened { Picture, Mesh, Project, Path };
+enum class Opened { Picture, Mesh, Project, Path, Preset };
 
 /// A format that the studio and the command line open, and tiny files of it that are as they should be.
 struct Format {
