@@ -46,6 +46,23 @@ QString fileOf(const QString& page) {
     return QFileInfo::exists(translated) ? translated : QString("%1/en/%2.md").arg(folder, page);
 }
 
+/// Markdown's tables come with thick borders and no room around their text.
+void quietTables(const QTextDocument& document, const QColor& line) {
+    for (QTextFrame* frame : document.rootFrame()->childFrames()) {
+        auto* table = qobject_cast<QTextTable*>(frame);
+        if (!table) continue;
+        QTextTableFormat format = table->format();
+        format.setBorderBrush(line);
+        format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+        format.setBorderCollapse(true);
+        format.setBorder(1);
+        format.setCellSpacing(0);
+        format.setCellPadding(5);
+        format.setBottomMargin(10);
+        table->setFormat(format);
+    }
+}
+
 }  // namespace
 
 QStringList HelpWindow::pageNames() {
@@ -80,6 +97,7 @@ HelpWindow::HelpWindow(QWidget* parent)
     connect(m_contents, &QListWidget::currentRowChanged, this,
             [this](int chosen) { showPage(pages[std::size_t(chosen)].name); });
     connect(m_browser, &QTextBrowser::sourceChanged, this, [this](const QUrl& url) {
+        quietTables(*m_browser->document(), palette().color(QPalette::Midlight));
         const QSignalBlocker quiet(m_contents);
         m_contents->setCurrentRow(int(pageNames().indexOf(QFileInfo(url.path()).baseName())));
     });
@@ -105,7 +123,9 @@ void HelpWindow::showPage(const QString& page) {
 void HelpWindow::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     // Links take their colour when a page is read.
-    if (event->type() == QEvent::PaletteChange && !m_browser->source().isEmpty()) m_browser->reload();
+    if (event->type() != QEvent::PaletteChange || m_browser->source().isEmpty()) return;
+    m_browser->reload();
+    quietTables(*m_browser->document(), palette().color(QPalette::Midlight));
 }
 
 }  // namespace chiaro::app
