@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -18,6 +21,12 @@ T valueAt(std::string_view bytes, std::size_t offset, std::endian order = std::e
     T value;
     std::memcpy(&value, buffer, sizeof(T));
     return value;
+}
+
+/// A number that should be a whole one, for a message: "7", "-1000000000000000" for all that is less, "nan".
+inline std::string wholeNumberText(double value) {
+    if (std::isnan(value)) return "nan";
+    return std::to_string((long long)(std::clamp(value, -1e15, 1e15)));
 }
 
 }  // namespace chiaro::scene

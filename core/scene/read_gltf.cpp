@@ -390,9 +390,7 @@ private:
         for (std::size_t i = 0; i < values.count; ++i) {
             const double corner = component(values, i, 0);
             if (!(corner >= 0 && corner < double(vertices)))
-                damaged("a face names vertex " +
-                        std::to_string((long long)(std::clamp(corner, -1e15, 1e15))) + " of " +
-                        std::to_string(vertices));
+                damaged("a face names vertex " + wholeNumberText(corner) + " of " + std::to_string(vertices));
             corners.push_back(std::uint32_t(corner));
         }
         return corners;

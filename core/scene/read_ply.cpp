@@ -285,9 +285,8 @@ private:
     void readList(const Element& element, const Property& property) {
         const double count = m_body.next(*property.countType);
         if (!(count >= 0 && count <= double(m_header.body.size())))
-            throw m_source.error(
-                "a list promises " + std::to_string((long long)(std::clamp(count, -1e15, 1e15))) + " entries",
-                "it should hold no more than the file has room for");
+            throw m_source.error("a list promises " + wholeNumberText(count) + " entries",
+                                 "it should hold no more than the file has room for");
         const bool strip = element.name == "tristrips";
         const bool used = (element.name == "face" || strip) &&
                           (property.name == "vertex_indices" || property.name == "vertex_index");
@@ -300,8 +299,7 @@ private:
                 continue;
             }
             if (!(index >= 0 && index < double(m_vertexCount) && index == std::floor(index)))
-                throw m_source.error("a face names a vertex that is not there (" +
-                                         std::to_string((long long)(std::clamp(index, -1e15, 1e15))) +
+                throw m_source.error("a face names a vertex that is not there (" + wholeNumberText(index) +
                                          " of " + std::to_string(m_vertexCount) + ")",
                                      "indices go from 0 to one less than the number of vertices");
             m_corners.push_back(std::uint32_t(index));

@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <functional>
+#include <unistd.h>
 
 namespace {
 
@@ -21,24 +23,43 @@ double millisecondsOf(const std::function<void()>& work) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Processor time of this process and of the helpers that wait for work, ms.
+double cpuMilliseconds(const helper::HelperPool& helpers) {
+    double ticks = double(std::clock()) / double(CLOCKS_PER_SEC) * double(::sysconf(_SC_CLK_TCK));
+    for (const int process : helpers.idleProcesses()) {
+        std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
+        std::string word;
+        for (int field = 1; field <= 15 && stat >> word; ++field)
+            if (field >= 14) ticks += std::stod(word);
+    }
+    return ticks / double(::sysconf(_SC_CLK_TCK)) * 1000;
+}
+
 double median(std::vector<double> values) {
     std::ranges::sort(values);
     return values[values.size() / 2];
 }
 
-void compare(const char* what, int times, const std::function<void()>& here,
-             const std::function<void()>& there) {
+void compare(const helper::HelperPool& helpers, const char* what, int times,
+             const std::function<void()>& here, const std::function<void()>& there) {
     here();
     there();
     std::vector<double> hereTimes, thereTimes, differences;
+    double cpuHere = 0, cpuThere = 0;
     for (int i = 0; i < times; ++i) {
+        const double begin = cpuMilliseconds(helpers);
         hereTimes.push_back(millisecondsOf(here));
+        const double middle = cpuMilliseconds(helpers);
         thereTimes.push_back(millisecondsOf(there));
+        cpuHere += middle - begin;
+        cpuThere += cpuMilliseconds(helpers) - middle;
         differences.push_back(thereTimes.back() - hereTimes.back());
     }
     std::printf(
-        "%-28s in process %8.1f ms   in the helper %8.1f ms   difference %+7.1f ms (median of %d pairs)\n",
-        what, median(hereTimes), median(thereTimes), median(differences), times);
+        "%-24s in process %8.1f ms   in the helper %8.1f ms   difference %+7.1f ms (median of %d pairs); "
+        "processor time %+7.1f ms (mean)\n",
+        what, median(hereTimes), median(thereTimes), median(differences), times,
+        (cpuThere - cpuHere) / times);
 }
 
 ColorImage noise(int width, int height) {
@@ -83,10 +104,12 @@ int main() {
     writeSheet(sheet, 500);
     const auto strip = test::resource("demo/samples/oil.png");
     compare(
-        "PNG, 4096 x 4096", 7, [&] { readImage(scan); }, [&] { importImage(helpers, scan, {}, {}); });
+        helpers, "PNG, 4096 x 4096", 7, [&] { readImage(scan); },
+        [&] { importImage(helpers, scan, {}, {}); });
     compare(
-        "PLY, 500,000 triangles", 7, [&] { scene::readModel(sheet); },
+        helpers, "PLY, 500,000 triangles", 7, [&] { scene::readModel(sheet); },
         [&] { scene::importModel(helpers, sheet, {}); });
     compare(
-        "PNG, the demo's strip", 15, [&] { readImage(strip); }, [&] { importImage(helpers, strip, {}, {}); });
+        helpers, "PNG, the demo's strip", 15, [&] { readImage(strip); },
+        [&] { importImage(helpers, strip, {}, {}); });
 }

@@ -83,6 +83,15 @@ TEST(MeshImport, ARefusalQuotesTheFileReadably) {
     EXPECT_TRUE(std::ranges::all_of(refusal, [](char c) { return c < 0 || c >= ' '; })) << refusal;
 }
 
+TEST(MeshImport, AnIndexThatIsNoNumberIsCalledSo) {
+    const TemporaryFolder folder;
+    const auto path = folder / "nan.ply";
+    std::ofstream(path) << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                           "property float z\nelement face 1\nproperty list uchar float vertex_indices\n"
+                           "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 nan 2\n";
+    EXPECT_NE(refusalOf([&] { readModel(path); }).find("(nan of 3)"), std::string::npos);
+}
+
 /// Whatever byte of its answer a helper changes: a mesh that is one, or a sentence.
 TEST(MeshImport, TrustsNoAnswer) {
     const TemporaryFolder folder;
