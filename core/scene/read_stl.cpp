@@ -56,6 +56,8 @@ RawModel readText(const MeshSource& source) {
     bool insideFacet = false;
     while (scanner.nextLine()) {
         const std::string_view keyword = scanner.word();
+        if (keyword == "solid" && (insideFacet || !corners.empty()))
+            throw scanner.error("a solid begins inside a facet", "a facet ends with endfacet");
         if (keyword == "solid") model.objects.emplace_back().name = scanner.rest();
         if (keyword == "facet") insideFacet = true;
         if (model.objects.empty()) throw scanner.error("a facet outside a solid", "begin with: solid NAME");

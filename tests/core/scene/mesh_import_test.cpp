@@ -83,6 +83,16 @@ TEST(MeshImport, ARefusalQuotesTheFileReadably) {
     EXPECT_TRUE(std::ranges::all_of(refusal, [](char c) { return c < 0 || c >= ' '; })) << refusal;
 }
 
+/// Its corners would count the vertices of another object.
+TEST(MeshImport, ASolidInsideAFacetIsRefused) {
+    const TemporaryFolder folder;
+    const auto path = folder / "nested.stl";
+    std::ofstream(path) << "solid a\nfacet normal 0 0 1\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                           "solid b\nvertex 1 1 1\nendfacet\nendsolid b\n";
+    EXPECT_NE(refusalOf([&] { readModel(path); }).find("line 6: a solid begins inside a facet"),
+              std::string::npos);
+}
+
 TEST(MeshImport, AnIndexThatIsNoNumberIsCalledSo) {
     const TemporaryFolder folder;
     const auto path = folder / "nan.ply";
